@@ -1,0 +1,136 @@
+#include "formats/formats.h"
+
+#include "formats/input_file.h"
+#include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
+#include "libmorph/mesh/builder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace morph {
+
+namespace {
+
+std::string lower_case(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+const Format& format_by_name(const std::string& name)
+{
+    std::vector<std::string> names;
+    for (const Format* format : all_formats()) {
+        if (format->name == lower_case(name))
+            return *format;
+        names.emplace_back(format->name);
+    }
+    throw InputError("format '" + name + "' is not known; known are " + joined(names) + did_you_mean(name, names));
+}
+
+const Format& format_by_extension(const std::string& path)
+{
+    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
+    std::vector<std::string> known;
+    for (const Format* format : all_formats())
+        for (const std::string_view candidate : format->extensions) {
+            if (candidate == extension)
+                return *format;
+            known.emplace_back(candidate);
+        }
+    throw InputError(path + ": the extension '" + extension + "' is not that of a known format, which are " +
+                     joined(known) + "; name the format with --from or --to");
+}
+
+bool has_fields(const MeshData& data, FieldLocation location)
+{
+    return std::any_of(data.fields.begin(), data.fields.end(),
+                       [&](const Field& field) { return field.location == location; });
+}
+
+/// "3 fields (a, b, c)", for a warning.
+std::string field_list(const MeshData& data, FieldLocation location)
+{
+    std::vector<std::string> names;
+    for (const Field& field : data.fields)
+        if (field.location == location)
+            names.push_back(field.name);
+    return std::to_string(names.size()) + (location == FieldLocation::vertex ? " nodal" : " element") + " field(s) " +
+           joined(names);
+}
+
+std::vector<std::string> losses(const MeshData& data, const Format& format)
+{
+    std::vector<std::string> lost;
+    const std::string cannot = std::string(format.name) + " cannot hold ";
+    if (!format.holds.markers && !data.markers.empty()) {
+        std::vector<std::string> names;
+        for (const Marker& m : data.markers)
+            names.push_back(m.name);
+        lost.push_back(cannot + std::to_string(names.size()) + " marker(s) " + joined(names));
+    }
+    if (!format.holds.vertex_fields && has_fields(data, FieldLocation::vertex))
+        lost.push_back(cannot + field_list(data, FieldLocation::vertex));
+    if (!format.holds.element_fields && has_fields(data, FieldLocation::element))
+        lost.push_back(cannot + field_list(data, FieldLocation::element));
+    for (const CarriedText& carried : data.carried)
+        if (carried.format != format.name)
+            lost.push_back(cannot + carried.what);
+    return lost;
+}
+
+void require_surface_fits(const MeshData& data, const Format& format, const std::string& path)
+{
+    if (data.dimension == 3 && !format.holds.surface)
+        throw InputError(path + ": " + std::string(format.name) +
+                         " holds planar meshes only, but this is a surface in space; write it as .vtu or .obj");
+}
+
+} // namespace
+
+const Format& find_format(const std::string& path, const std::string& name)
+{
+    return name.empty() ? format_by_extension(path) : format_by_name(name);
+}
+
+MeshData read_mesh_data(const std::string& path, const std::string& format)
+{
+    const Format& reader = find_format(path, format);
+    const InputFile file(path);
+    return reader.read({path, file.bytes()});
+}
+
+Mesh read_mesh(const std::string& path, const std::string& format)
+{
+    MeshData data = read_mesh_data(path, format);
+    try {
+        return build_mesh(std::move(data));
+    } catch (const InputError& error) {
+        throw InputError(path + ": " + error.what());
+    }
+}
+
+std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, const std::string& format,
+                                    const WriteOptions& options)
+{
+    return write_mesh_data(to_data(mesh), path, format, options);
+}
+
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, const std::string& format,
+                                         const WriteOptions& options)
+{
+    const Format& writer = find_format(path, format);
+    require_surface_fits(data, writer, path);
+    OutputFile file(path);
+    writer.write(data, options, file);
+    file.commit();
+    std::vector<std::string> warnings = losses(data, writer);
+    for (std::string& warning : warnings)
+        warning = path + ": " + warning;
+    return warnings;
+}
+
+} // namespace morph

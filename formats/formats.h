@@ -1,0 +1,30 @@
+#pragma once
+
+#include "formats/format.h"
+#include "libmorph/mesh/mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace morph {
+
+/// Read a mesh file into flat arrays.
+/// @param format  name of the format; empty: by the extension
+/// @throws InputError  "path:line: what is wrong"
+MeshData read_mesh_data(const std::string& path, const std::string& format = "");
+
+/// Read a mesh file and build its halfedge structure.
+/// @throws InputError  as read_mesh_data() and build_mesh(), with the path in front
+Mesh read_mesh(const std::string& path, const std::string& format = "");
+
+/// Write a mesh beside @p path and rename it there once complete, so that a failure leaves nothing.
+/// @return one warning for each kind of thing the format cannot hold
+/// @throws InputError  the file cannot be written
+std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, const std::string& format = "",
+                                    const WriteOptions& options = {});
+
+/// As write_mesh(), from flat arrays.
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,
+                                         const std::string& format = "", const WriteOptions& options = {});
+
+} // namespace morph

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace morph {
+
+/// The caller can mend it: a broken file, an index out of range, a name that does not exist.
+/// The message is one line for a person: what is wrong, where, what was expected.
+class InputError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The input was legal, the computation failed: a singular system, no convergence.
+class SolverError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace morph

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "libmorph/mesh/kernel.h"
+#include "libmorph/mesh/mesh_data.h"
+
+#include <vector>
+
+namespace morph {
+
+/// How the numbers inside the mesh go with the numbers in the file.
+///
+/// Inside, vertices and elements follow a space-filling curve, because every stage runs several times
+/// faster when neighbours lie near each other in memory. Only build_mesh(), to_data() and whatever
+/// prints an id for a person need to know.
+struct Numbering {
+    std::vector<Index> vertex;  ///< n: file number of each vertex; copies of a split vertex share it
+    std::vector<Index> element; ///< m: file number of each element
+    std::vector<bool> turned;   ///< m: the file lists this element the other way round
+    Index file_vertices = 0;    ///< number of vertices in the file, at most n
+};
+
+/// Triangles and quads, planar or on a surface in space, with the markers and fields that go with them.
+///
+/// Row i of every matrix, and every index in markers and fields, is vertex i (or face i) of the kernel.
+/// In a planar mesh the elements run counter-clockwise (unless inverted); the kernel has no deleted items.
+struct Mesh {
+    int dimension = 2; ///< 2: planar, z = 0 throughout · 3: surface in space
+    Kernel kernel;
+    Numbering numbering;
+    std::vector<Marker> markers;
+    std::vector<Field> fields;
+    std::vector<CarriedText> carried;
+};
+
+inline Index vertex_count(const Mesh& mesh)
+{
+    return static_cast<Index>(mesh.kernel.n_vertices());
+}
+
+inline Index element_count(const Mesh& mesh)
+{
+    return static_cast<Index>(mesh.kernel.n_faces());
+}
+
+/// The coordinates of the kernel as an n x 3 matrix; writing to it moves the mesh.
+inline Eigen::Map<Points> points(Mesh& mesh)
+{
+    return {const_cast<double*>(mesh.kernel.points()->data()), vertex_count(mesh), 3};
+}
+
+/// The coordinates of the kernel as an n x 3 matrix.
+inline Eigen::Map<const Points> points(const Mesh& mesh)
+{
+    return {mesh.kernel.points()->data(), vertex_count(mesh), 3};
+}
+
+/// Corners of face @p face in order, the first as in the file.
+Element element_corners(const Mesh& mesh, Index face);
+
+/// Corners of every face, m rows: for loops that pass over the whole mesh several times.
+std::vector<Element> element_table(const Mesh& mesh);
+
+/// Marker of that name.
+/// @throws InputError  there is none; names those that exist and the nearest
+const Marker& marker(const Mesh& mesh, const std::string& name);
+
+/// The vertices of a marker, each once, in the order the edges first name them.
+std::vector<Index> marker_vertices(const Marker& marker);
+
+} // namespace morph

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "libmorph/mesh/mesh_data.h"
+
+#include <string>
+#include <vector>
+
+namespace morph::test {
+
+/// Unit square of cells x cells squares, each cut into two triangles; markers bottom, right, top, left.
+/// Inner vertices are shifted off the even grid (a wrong stencil passes on an even one).
+MeshData uneven_square(Index cells);
+
+/// Unit square of cells x cells quads with the same markers, inner vertices shifted.
+MeshData quad_square(Index cells);
+
+/// Ring inner < r < outer: around x radial triangulated cells, geometrically graded; markers
+/// "inner" and "outer".
+MeshData annulus(double inner, double outer, Index around, Index radial);
+
+/// Absolute path of a file in tests/data.
+std::string data_path(const std::string& name);
+
+/// Absolute path of a file in examples.
+std::string example_path(const std::string& name);
+
+/// The real meshes in tests/data/meshes, as absolute paths.
+std::vector<std::string> real_meshes();
+
+} // namespace morph::test

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "libmorph/basis/curve.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+
+/// [mesh] generate: the domain to be meshed.
+struct GenerateEntry {
+    std::array<double, 4> box{}; ///< xmin, ymin, xmax, ymax
+    double size = 0;             ///< target edge length on the box
+};
+
+/// One [[boundary]]: a marker and the curve that carries it.
+struct BoundaryEntry {
+    std::string name;
+    CurveDefinition curve;
+    Index nodes = 0;       ///< with generate: how many nodes the curve gets; 0 when not given
+    Points2 displacements; ///< K x 2, zero when not given
+    int line = 0;          ///< in the case file, for messages
+};
+
+/// A case file, checked: every key known, every number finite, every path made relative to the file.
+struct CaseFile {
+    std::string path;
+    std::string mesh_file; ///< empty with generate
+    std::optional<GenerateEntry> generate;
+    std::vector<BoundaryEntry> boundaries;
+    std::string method = "harmonic";
+    std::string diffusivity = "uniform";
+    std::string guard = "check";
+    std::optional<std::vector<std::string>> fixed;
+    std::string output_mesh; ///< empty when not given
+};
+
+/// @throws InputError  "case.toml:12: what is wrong"; unknown keys name the nearest known one
+CaseFile read_case_file(const std::string& path);
+
+} // namespace morph::tools

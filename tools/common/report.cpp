@@ -1,0 +1,49 @@
+#include "tools/common/report.h"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+
+namespace morph::tools {
+
+Report::Report(const CommonOptions& options) : options_(options)
+{
+    if (!options_.json.empty() && options_.json != "-")
+        file_ = std::make_unique<OutputFile>(options_.json);
+}
+
+void Report::say(const std::string& line)
+{
+    summary_ += line + '\n';
+}
+
+void Report::finish()
+{
+    // Names from a file may hold bytes that are not UTF-8; they must not stop the report.
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    if (file_) {
+        file_->append(text);
+        file_->commit();
+    }
+    if (options_.json == "-")
+        std::cout << text;
+    else if (!options_.quiet)
+        std::cout << summary_;
+}
+
+double Stopwatch::lap()
+{
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+}
+
+std::string short_number(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
+
+} // namespace morph::tools

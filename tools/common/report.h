@@ -1,0 +1,49 @@
+#pragma once
+
+#include "formats/output_file.h"
+#include "tools/common/command_line.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace morph::tools {
+
+/// What a tool did: as JSON where --json asks for it, and as a short readable summary on standard
+/// output unless the JSON goes there or --quiet was given.
+class Report {
+public:
+    /// Opens the JSON file, so that a path that cannot be written stops the tool before its work.
+    /// @throws InputError  the file cannot be written
+    explicit Report(const CommonOptions& options);
+
+    /// The report's fields, written in the order they are set.
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+
+    /// Add a line to the summary.
+    void say(const std::string& line);
+
+    /// Write both. Call it once, after the tool's other files are in place.
+    void finish();
+
+private:
+    CommonOptions options_;
+    std::unique_ptr<OutputFile> file_;
+    std::string summary_;
+};
+
+/// Seconds since it was made or last asked.
+class Stopwatch {
+public:
+    double lap();
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A number for a person: 4 significant digits.
+std::string short_number(double value);
+
+} // namespace morph::tools
