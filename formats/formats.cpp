@@ -28,7 +28,8 @@ const Format& format_by_name(const std::string& name)
             return *format;
         names.emplace_back(format->name);
     }
-    throw InputError("format '" + name + "' is not known; known are " + joined(names) + did_you_mean(name, names));
+    throw InputError("format '" + name + "' is not known; known are " + joined(names) +
+                     did_you_mean(name, names));
 }
 
 const Format& format_by_extension(const std::string& path)
@@ -58,8 +59,8 @@ std::string field_list(const MeshData& data, FieldLocation location)
     for (const Field& field : data.fields)
         if (field.location == location)
             names.push_back(field.name);
-    return std::to_string(names.size()) + (location == FieldLocation::vertex ? " nodal" : " element") + " field(s) " +
-           joined(names);
+    return std::to_string(names.size()) + (location == FieldLocation::vertex ? " nodal" : " element") +
+           " field(s) " + joined(names);
 }
 
 std::vector<std::string> losses(const MeshData& data, const Format& format)
@@ -85,8 +86,9 @@ std::vector<std::string> losses(const MeshData& data, const Format& format)
 void require_surface_fits(const MeshData& data, const Format& format, const std::string& path)
 {
     if (data.dimension == 3 && !format.holds.surface)
-        throw InputError(path + ": " + std::string(format.name) +
-                         " holds planar meshes only, but this is a surface in space; write it as .vtu or .obj");
+        throw InputError(
+            path + ": " + std::string(format.name) +
+            " holds planar meshes only, but this is a surface in space; write it as .vtu or .obj");
 }
 
 } // namespace
@@ -119,8 +121,8 @@ std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, c
     return write_mesh_data(to_data(mesh), path, format, options);
 }
 
-std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, const std::string& format,
-                                         const WriteOptions& options)
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,
+                                         const std::string& format, const WriteOptions& options)
 {
     const Format& writer = find_format(path, format);
     require_surface_fits(data, writer, path);

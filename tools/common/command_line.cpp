@@ -31,7 +31,8 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
     app_.set_version_flag("--version", std::string(tool) + " (libmorph) " MORPH_VERSION);
     app_.add_option("--json", common_.json, "Write what was done as JSON to FILE (-: standard output)")
         ->type_name("FILE");
-    app_.add_option("--threads", common_.threads, "Use N threads (default: every core); the result is the same")
+    app_.add_option("--threads", common_.threads,
+                    "Use N threads (default: every core); the result is the same")
         ->type_name("N")
         ->check(CLI::Range(0, 1024));
     app_.add_flag("--quiet", common_.quiet, "Print nothing but errors");
@@ -41,7 +42,8 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
 
 void CommandLine::add_from(std::string& from)
 {
-    app_.add_option("--from", from, "Format of the input, when its extension does not tell: " + format_names())
+    app_.add_option("--from", from,
+                    "Format of the input, when its extension does not tell: " + format_names())
         ->type_name("NAME");
 }
 
@@ -74,7 +76,8 @@ bool CommandLine::parse(int argc, char** argv)
         return false;
     } catch (const CLI::ParseError& error) {
         const bool unknown = !app_.remaining().empty();
-        throw UsageError(unknown ? unknown_options() : std::string(error.what()) + "; --help shows the usage");
+        throw UsageError(unknown ? unknown_options()
+                                 : std::string(error.what()) + "; --help shows the usage");
     }
     if (!app_.remaining().empty())
         throw UsageError(unknown_options());

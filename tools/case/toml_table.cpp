@@ -1,0 +1,208 @@
+#include "tools/case/toml_table.h"
+
+#include "formats/csv_table.h"
+#include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace morph::tools {
+
+TomlTable::TomlTable(const toml::table& table, std::string path, std::string name)
+    : table_(table), path_(std::move(path)), name_(std::move(name))
+{
+}
+
+void TomlTable::fail(int line, const std::string& what) const
+{
+    throw InputError(path_ + ":" + std::to_string(line) + ": " + what);
+}
+
+void TomlTable::fail_missing(const std::string& key, const std::string& example) const
+{
+    fail(line(), name_ + " needs " + key + ", such as " + example);
+}
+
+void TomlTable::require_known(const std::vector<std::string>& known) const
+{
+    for (const auto& [key, value] : table_) {
+        const std::string name(key.str());
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            fail(static_cast<int>(key.source().begin.line), "unknown key '" + name + "' in " + name_ +
+                                                                did_you_mean(name, known) +
+                                                                " (known: " + joined(known) + ")");
+    }
+}
+
+int TomlTable::line(const std::string& key) const
+{
+    const toml::node* node = table_.get(key);
+    return node ? line_of(*node) : line();
+}
+
+std::optional<std::string> TomlTable::string(const std::string& key) const
+{
+    const toml::node* node = table_.get(key);
+    if (!node)
+        return std::nullopt;
+    const auto* text = node->as_string();
+    if (!text)
+        fail(line_of(*node), label(key) + " must be a text in quotes");
+    return text->get();
+}
+
+std::optional<bool> TomlTable::boolean(const std::string& key) const
+{
+    const toml::node* node = table_.get(key);
+    if (!node)
+        return std::nullopt;
+    const auto* flag = node->as_boolean();
+    if (!flag)
+        fail(line_of(*node), label(key) + " must be true or false");
+    return flag->get();
+}
+
+double TomlTable::finite(const toml::node& node, const std::string& what) const
+{
+    const auto number = node.value<double>();
+    if (!number || !(node.is_integer() || node.is_floating_point()))
+        fail(line_of(node), what + " must be a number");
+    if (!std::isfinite(*number))
+        fail(line_of(node), what + " must be a finite number");
+    return *number;
+}
+
+std::optional<double> TomlTable::number(const std::string& key) const
+{
+    const toml::node* node = table_.get(key);
+    return node ? std::optional(finite(*node, label(key))) : std::nullopt;
+}
+
+std::optional<Index> TomlTable::integer(const std::string& key, Index least, Index most) const
+{
+    const toml::node* node = table_.get(key);
+    if (!node)
+        return std::nullopt;
+    const auto* value = node->as_integer();
+    if (!value || value->get() < least || value->get() > most)
+        fail(line_of(*node), label(key) + " must be a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most));
+    return static_cast<Index>(value->get());
+}
+
+const toml::array& TomlTable::array(const std::string& key, const std::string& expected) const
+{
+    const toml::node* node = table_.get(key);
+    const toml::array* items = node->as_array();
+    if (!items)
+        fail(line_of(*node), label(key) + " must be " + expected);
+    return *items;
+}
+
+std::optional<std::vector<double>> TomlTable::numbers(const std::string& key) const
+{
+    if (!has(key))
+        return std::nullopt;
+    std::vector<double> values;
+    for (const toml::node& item : array(key, "a list of numbers"))
+        values.push_back(finite(item, label(key)));
+    return values;
+}
+
+std::optional<std::vector<std::string>> TomlTable::strings(const std::string& key) const
+{
+    if (!has(key))
+        return std::nullopt;
+    std::vector<std::string> values;
+    for (const toml::node& item : array(key, "a list of names in quotes")) {
+        const auto* text = item.as_string();
+        if (!text)
+            fail(line_of(item), label(key) + " must be a list of names in quotes");
+        values.push_back(text->get());
+    }
+    return values;
+}
+
+std::optional<std::string> TomlTable::choice(const std::string& key,
+                                             const std::vector<std::string>& choices) const
+{
+    std::optional<std::string> value = string(key);
+    if (value && std::find(choices.begin(), choices.end(), *value) == choices.end())
+        fail(line(key), label(key) + " is '" + *value + "', but it must be one of " + joined(choices) +
+                            did_you_mean(*value, choices));
+    return value;
+}
+
+std::optional<Points2> TomlTable::pairs(const std::string& key, const std::vector<std::string>& columns) const
+{
+    const toml::node* node = table_.get(key);
+    if (!node)
+        return std::nullopt;
+    return node->is_table() ? pairs_from_file(key, columns) : pairs_from_array(key);
+}
+
+Points2 TomlTable::pairs_from_array(const std::string& key) const
+{
+    const std::string expected = "a list of pairs [[x, y], ...] or { file = \"points.csv\" }";
+    const toml::array& items = array(key, expected);
+    Points2 pairs(static_cast<Eigen::Index>(items.size()), 2);
+    Eigen::Index row = 0;
+    for (const toml::node& item : items) {
+        const toml::array* pair = item.as_array();
+        const std::string what = label(key) + ", entry " + std::to_string(row + 1) + ",";
+        if (!pair || pair->size() != 2)
+            fail(line_of(item), what + " must be a pair [x, y]");
+        for (std::size_t c = 0; c < 2; ++c)
+            pairs(row, static_cast<Eigen::Index>(c)) = finite((*pair)[c], what);
+        ++row;
+    }
+    return pairs;
+}
+
+Points2 TomlTable::pairs_from_file(const std::string& key, const std::vector<std::string>& columns) const
+{
+    const TomlTable source(*table_.get(key)->as_table(), path_, label(key));
+    source.require_known({"file", "columns"});
+    const auto file = source.string("file");
+    if (!file)
+        source.fail_missing("file", "{ file = \"points.csv\", columns = [\"x\", \"y\"] }");
+    const auto names = source.strings("columns").value_or(columns);
+    if (names.size() != 2)
+        source.fail(source.line("columns"), label(key) + " columns must be two names");
+    const Matrix rows = csv_columns(read_csv_table(beside(path_, *file)), names);
+    return rows;
+}
+
+std::optional<TomlTable> TomlTable::table(const std::string& key, const std::string& name) const
+{
+    const toml::node* node = table_.get(key);
+    if (!node)
+        return std::nullopt;
+    if (!node->is_table())
+        fail(line_of(*node), name + " must be a table");
+    return TomlTable(*node->as_table(), path_, name);
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) const
+{
+    std::vector<TomlTable> entries;
+    if (!has(key))
+        return entries;
+    const std::string name = "[[" + key + "]]";
+    for (const toml::node& item : array(key, "written as " + name)) {
+        if (!item.is_table())
+            fail(line_of(item), key + " must be written as " + name);
+        entries.emplace_back(*item.as_table(), path_, name);
+    }
+    return entries;
+}
+
+std::string beside(const std::string& file, const std::string& path)
+{
+    return (std::filesystem::path(file).parent_path() / path).string();
+}
+
+} // namespace morph::tools
