@@ -121,17 +121,25 @@ std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, c
     return write_mesh_data(to_data(mesh), path, format, options);
 }
 
-std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,
-                                         const std::string& format, const WriteOptions& options)
+std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file, const std::string& format,
+                                         const WriteOptions& options)
 {
-    const Format& writer = find_format(path, format);
-    require_surface_fits(data, writer, path);
-    OutputFile file(path);
+    const Format& writer = find_format(file.path(), format);
+    require_surface_fits(data, writer, file.path());
     writer.write(data, options, file);
-    file.commit();
     std::vector<std::string> warnings = losses(data, writer);
     for (std::string& warning : warnings)
-        warning = path + ": " + warning;
+        warning = file.path() + ": " + warning;
+    return warnings;
+}
+
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, const std::string& format,
+                                         const WriteOptions& options)
+{
+    find_format(path, format); // before a file is made
+    OutputFile file(path);
+    std::vector<std::string> warnings = write_mesh_data(data, file, format, options);
+    file.commit();
     return warnings;
 }
 

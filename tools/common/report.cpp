@@ -9,7 +9,7 @@ namespace morph::tools {
 Report::Report(const CommonOptions& options) : options_(options)
 {
     if (!options_.json.empty() && options_.json != "-")
-        file_ = std::make_unique<OutputFile>(options_.json);
+        Outputs::require_writable(options_.json);
 }
 
 void Report::say(const std::string& line)
@@ -19,12 +19,17 @@ void Report::say(const std::string& line)
 
 void Report::finish()
 {
+    Outputs none;
+    finish(none);
+}
+
+void Report::finish(Outputs& outputs)
+{
     // Names from a file may hold bytes that are not UTF-8; they must not stop the report.
     const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-    if (file_) {
-        file_->append(text);
-        file_->commit();
-    }
+    if (!options_.json.empty() && options_.json != "-")
+        outputs.open(options_.json).append(text);
+    outputs.commit();
     if (options_.json == "-")
         std::cout << text;
     else if (!options_.quiet)

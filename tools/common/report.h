@@ -1,12 +1,11 @@
 #pragma once
 
-#include "formats/output_file.h"
 #include "tools/common/command_line.h"
+#include "tools/common/outputs.h"
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <memory>
 #include <string>
 
 namespace morph::tools {
@@ -15,7 +14,7 @@ namespace morph::tools {
 /// output unless the JSON goes there or --quiet was given.
 class Report {
 public:
-    /// Opens the JSON file, so that a path that cannot be written stops the tool before its work.
+    /// Makes sure that the JSON file can be written, before the tool's work.
     /// @throws InputError  the file cannot be written
     explicit Report(const CommonOptions& options);
 
@@ -25,12 +24,14 @@ public:
     /// Add a line to the summary.
     void say(const std::string& line);
 
-    /// Write both. Call it once, after the tool's other files are in place.
+    /// Add the JSON to the tool's files, commit them all, and print the summary. Call it once, at the end.
+    void finish(Outputs& outputs);
+
+    /// As finish(outputs), for a tool with no files of its own.
     void finish();
 
 private:
     CommonOptions options_;
-    std::unique_ptr<OutputFile> file_;
     std::string summary_;
 };
 

@@ -1,0 +1,22 @@
+#include "tools/common/outputs.h"
+
+namespace morph::tools {
+
+void Outputs::require_writable(const std::string& path)
+{
+    const OutputFile probe(path); // goes again without a trace
+}
+
+OutputFile& Outputs::open(const std::string& path)
+{
+    return *files_.emplace_back(std::make_unique<OutputFile>(path));
+}
+
+void Outputs::commit()
+{
+    for (const auto& file : files_)
+        file->commit();
+    files_.clear();
+}
+
+} // namespace morph::tools
