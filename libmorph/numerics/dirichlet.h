@@ -1,0 +1,43 @@
+#pragma once
+
+#include "libmorph/numerics/stiffness.h"
+
+#include <memory>
+#include <vector>
+
+namespace morph {
+
+/// Vertices whose values are prescribed.
+struct DirichletSet {
+    std::vector<Index> vertices; ///< k distinct vertices
+    Matrix values;               ///< k x K, row i belongs to vertices[i]
+};
+
+/// K h = 0 at every free vertex of a graph of weighted edges, for prescribed values at the held ones.
+///
+/// Factors once, solves for as many right-hand sides as asked, as often as asked.
+class DirichletProblem {
+public:
+    /// @param points  n x 3: where the vertices are; only the order of elimination depends on it
+    /// @param edges   weights not negative
+    /// @param held    distinct vertices in [0, n)
+    /// @throws InputError   a held vertex is out of range or given twice, or a part of the graph has no
+    ///                      held vertex: the solution there would be arbitrary
+    /// @throws SolverError  the matrix is not positive definite: a part hangs on by weights of zero
+    DirichletProblem(const Eigen::Ref<const Points>& points, const std::vector<WeightedEdge>& edges,
+                     std::vector<Index> held);
+    ~DirichletProblem();
+    DirichletProblem(DirichletProblem&&) noexcept;
+    DirichletProblem& operator=(DirichletProblem&&) noexcept;
+
+    /// @param values  k x K, row i belongs to held[i]
+    /// @return n x K: equal to @p values at the held vertices, 0 at vertices without an edge
+    /// @throws SolverError  the result is not finite
+    Matrix solve(const Matrix& values) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace morph

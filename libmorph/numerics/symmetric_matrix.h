@@ -1,0 +1,20 @@
+#pragma once
+
+#include "libmorph/core/types.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace morph {
+
+/// Sparse symmetric n x n matrix by rows: the diagonal apart, both triangles of the rest.
+struct SymmetricMatrix {
+    std::vector<double> diagonal;   ///< n
+    std::vector<std::size_t> start; ///< n + 1: row i has entries start[i] to start[i + 1] below
+    std::vector<Index> column;      ///< ascending in each row, never the row itself
+    std::vector<double> value;
+
+    Index rows() const { return static_cast<Index>(diagonal.size()); }
+};
+
+} // namespace morph

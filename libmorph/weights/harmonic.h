@@ -1,0 +1,45 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/numerics/dirichlet.h"
+
+#include <array>
+#include <vector>
+
+namespace morph {
+
+/// The g in div(g grad h) = 0: where it is large the mesh moves more like a rigid body.
+enum class Diffusivity {
+    uniform,          ///< g = 1: Laplace's equation
+    inverse_distance, ///< g = 1 / distance to the nearest moving edge
+    inverse_area      ///< g = 1 / mean area of the elements around
+};
+
+/// What harmonic_weights() solves.
+struct HarmonicProblem {
+    DirichletSet held;                              ///< every vertex of the boundary and of inner walls
+    std::vector<std::array<Index, 2>> moving_edges; ///< edges that carry control points
+    std::vector<std::array<Index, 2>> walls;        ///< edges inside the mesh that must stay
+};
+
+/// Harmonic weights: h = held.values at the held vertices and div(g grad h) = 0 in between, one column
+/// for each right-hand side [Joshi et al. 2007, ACM Transactions on Graphics 26(3), 71; Tavla 2021,
+/// section 3.5; for the diffusivities: Jasak & Tukovic 2006, Transactions of FAMENA 30(2), 1-20].
+///
+/// Linear finite elements on the constrained Delaunay triangulation of the mesh's vertices, quads cut in
+/// two. No edge weight is negative there, so that every column keeps the bounds of its held values on
+/// every mesh: 0 <= h <= 1 when those are in [0, 1]. To keep that, g is a coefficient of the *edges*,
+/// taken at their midpoints (finite volumes on the Voronoi cells); one for each triangle would bring
+/// negative weights back. With inverse_area it is 1 / the mean of the two ends' mean areas of the
+/// original elements around them.
+///
+/// Copies of a split vertex are one unknown. A vertex of no element gets 0. Scaling or shifting the mesh
+/// changes the result by round-off only, and the number of threads not at all.
+///
+/// @return n x K
+/// @throws InputError   the mesh is a surface in space; the sizes in @p problem do not fit; a part of the
+///                      mesh has no held vertex; inverse_distance without moving edges
+/// @throws SolverError  the system has no finite solution
+Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity);
+
+} // namespace morph
