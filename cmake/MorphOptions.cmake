@@ -11,9 +11,10 @@ if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(morph_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wold-style-cast
                          -Wcast-qual -Wnon-virtual-dtor -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # GCC 12 reports these falsely inside Eigen and OpenMesh templates.
+    # GCC 12 reports these falsely inside Eigen and OpenMesh templates, and the last for
+    # "text" + std::string (bug 105651).
     target_compile_options(morph_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
-                           -Wno-stringop-overflow -Wno-stringop-overread)
+                           -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
   endif()
 endif()
 
