@@ -14,13 +14,13 @@ namespace morph {
 struct CurveDefinition {
     int degree = 3;      ///< 1 to 7
     bool closed = false; ///< true: periodic · false: clamped, it starts and ends at its end control points
-    Points2 control_points; ///< K x 2, length unit of the mesh
+    Points2 control_points = {}; ///< K x 2, length unit of the mesh
 
     /// Empty: uniform. Closed: one period, K + 1 values from 0 to 1, repeated periodically; the span
     /// between knots[j] and knots[j + 1] is shaped by the rows j ... j + degree (mod K) of
     /// control_points, all counted from 0. Open: the full clamped vector, K + degree + 1 values.
-    std::vector<double> knots;
-    std::vector<double> weights; ///< K positive values (NURBS); empty: all 1
+    std::vector<double> knots = {};
+    std::vector<double> weights = {}; ///< K positive values (NURBS); empty: all 1
 };
 
 /// The degree + 1 basis functions that are not zero at a parameter.

@@ -1,0 +1,71 @@
+# The front door; CMake does the work. `make demo` and `make test` set up a bare Debian 12 by themselves.
+
+# Every Debian package the project builds, tests and measures with. One list, so that nothing is forgotten.
+PACKAGES := \
+	g++ cmake ninja-build pkg-config \
+	libeigen3-dev libopenmesh-dev libcgal-dev libsuitesparse-dev libopenblas-pthread-dev \
+	libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfast-float-dev zlib1g-dev libcairo2-dev \
+	libgtest-dev libgmock-dev libbenchmark-dev \
+	clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 60
+ROOT := $(shell [ $$(id -u) -eq 0 ] || echo sudo)
+SOURCES = $(shell git ls-files '*.h' '*.cpp')
+
+.PHONY: help deps build demo test sanitize bench lint install clean
+
+help:
+	@echo 'make demo      set up, build, morph a real mesh, draw it before and after'
+	@echo 'make test      set up, build, run every test'
+	@echo 'make build     set up and build the tools into build/bin'
+	@echo 'make sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer, then the fuzzers'
+	@echo 'make bench     run the benchmarks (tests/bench/README.md explains the table)'
+	@echo 'make lint      clang-format and clang-tidy'
+	@echo 'make install   install below PREFIX ($(PREFIX))'
+
+# Silent when nothing is missing.
+deps:
+	@missing=$$(for p in $(PACKAGES); do \
+	    dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
+	[ -z "$$missing" ] || { echo "installing:" $$missing && \
+	    $(ROOT) apt-get update -qq && \
+	    $(ROOT) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing \
+	        >/dev/null; }
+
+build: deps
+	@cmake --preset release $(CMAKE_FLAGS) >/dev/null
+	@cmake --build --preset release -j $(JOBS)
+
+demo: deps
+	@cmake --preset release $(CMAKE_FLAGS) >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target morph-deform morph-quality morph-view
+	@sh examples/demo.sh build/bin out/demo
+
+test: build
+	@ctest --preset release -j $(JOBS)
+
+sanitize: deps
+	@cmake --preset debug >/dev/null
+	@cmake --build --preset debug -j $(JOBS)
+	@ctest --preset debug -j $(JOBS)
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz -j $(JOBS)
+	@sh tests/fuzz/run.sh $(FUZZ_SECONDS)
+
+bench: deps
+	@cmake --preset bench >/dev/null
+	@cmake --build --preset bench -j $(JOBS)
+	@sh tests/bench/run.sh
+
+lint: build
+	@clang-format-14 --dry-run -Werror $(SOURCES)
+	@printf '%s\n' $(filter %.cpp,$(filter-out tests/fuzz/% tests/bench/% tests/install/%,$(SOURCES))) | \
+	    xargs -P $(JOBS) -n 4 clang-tidy-14 -p build --quiet
+
+install: build
+	@cmake --install build --prefix $(PREFIX)
+
+clean:
+	@rm -rf build out
