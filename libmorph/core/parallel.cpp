@@ -22,7 +22,8 @@ int every_core()
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Hands out blocks in order and keeps the first exception.
+/// Hands out blocks in order and keeps the exception of the first block that fails. When a block
+/// fails, all before it have been handed out, so that one is the same for any number of threads.
 class BlockQueue {
 public:
     BlockQueue(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body)
@@ -40,7 +41,7 @@ public:
             try {
                 body_(begin, std::min(begin + grain_, n_));
             } catch (...) {
-                keep(std::current_exception());
+                keep(begin, std::current_exception());
                 next_ = n_;
             }
         }
@@ -54,11 +55,13 @@ public:
     }
 
 private:
-    void keep(std::exception_ptr failure)
+    void keep(std::size_t block, std::exception_ptr failure)
     {
         const std::lock_guard lock(mutex_);
-        if (!failure_)
-            failure_ = std::move(failure);
+        if (failure_ && failed_block_ < block)
+            return;
+        failed_block_ = block;
+        failure_ = std::move(failure);
     }
 
     std::size_t n_;
@@ -67,6 +70,7 @@ private:
     std::atomic<std::size_t> next_{0};
     std::mutex mutex_;
     std::exception_ptr failure_;
+    std::size_t failed_block_ = 0;
 };
 
 } // namespace

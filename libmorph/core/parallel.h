@@ -16,8 +16,9 @@ void set_thread_count(int count);
 ///
 /// The blocks depend on n and grain only, never on the number of threads. A body that writes only
 /// what belongs to its own items, or its own slot begin / grain, therefore gives the same bytes for
-/// any thread count. The first exception thrown by a body is rethrown here once all have ended.
+/// any thread count. The exception of the first block that throws is rethrown here once all have ended.
 /// A call from inside a body runs in the calling thread.
-void parallel_for(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+void parallel_for(std::size_t n, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body);
 
 } // namespace morph

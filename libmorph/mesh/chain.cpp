@@ -19,7 +19,8 @@ struct EdgePair {
 
 class ChainWalker {
 public:
-    ChainWalker(const Marker& marker, const Numbering& numbering) : marker_(marker), used_(marker.edges.size())
+    ChainWalker(const Marker& marker, const Numbering& numbering)
+        : marker_(marker), used_(marker.edges.size())
     {
         for (std::size_t e = 0; e < marker.edges.size(); ++e)
             for (const Index v : marker.edges[e])
@@ -112,8 +113,9 @@ Chain marker_chain(const Marker& marker, const Numbering& numbering)
 {
     std::vector<Chain> chains = marker_chains(marker, numbering);
     if (chains.size() > 1)
-        throw InputError("marker '" + marker.name + "' is in " + std::to_string(chains.size()) +
-                         " pieces, but a curve needs one chain of edges; give each piece a marker of its own");
+        throw InputError(
+            "marker '" + marker.name + "' is in " + std::to_string(chains.size()) +
+            " pieces, but a curve needs one chain of edges; give each piece a marker of its own");
     return std::move(chains.front());
 }
 

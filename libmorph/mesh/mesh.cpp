@@ -2,6 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
+#include "libmorph/core/parallel.h"
 
 #include <unordered_set>
 
@@ -10,17 +11,23 @@ namespace morph {
 Element element_corners(const Mesh& mesh, Index face)
 {
     Element corners{-1, -1, -1, -1};
-    std::size_t count = 0;
-    for (const VertexHandle v : mesh.kernel.fv_range(FaceHandle(face)))
-        corners[count++] = v.idx();
+    const HalfedgeHandle first = mesh.kernel.halfedge_handle(FaceHandle(face));
+    HalfedgeHandle side = first;
+    for (std::size_t k = 0; k == 0 || side != first; ++k) {
+        corners[k] = mesh.kernel.to_vertex_handle(side).idx();
+        side = mesh.kernel.next_halfedge_handle(side);
+    }
     return corners;
 }
 
 std::vector<Element> element_table(const Mesh& mesh)
 {
+    constexpr std::size_t kGrain = 32768;
     std::vector<Element> table(static_cast<std::size_t>(element_count(mesh)));
-    for (std::size_t f = 0; f < table.size(); ++f)
-        table[f] = element_corners(mesh, static_cast<Index>(f));
+    parallel_for(table.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            table[f] = element_corners(mesh, static_cast<Index>(f));
+    });
     return table;
 }
 
@@ -32,7 +39,8 @@ const Marker& marker(const Mesh& mesh, const std::string& name)
     for (const Marker& m : mesh.markers)
         names.push_back(m.name);
     const std::string has = names.empty() ? "no markers" : joined(names);
-    throw InputError("marker '" + name + "' is not in the mesh, which has " + has + did_you_mean(name, names));
+    throw InputError("marker '" + name + "' is not in the mesh, which has " + has +
+                     did_you_mean(name, names));
 }
 
 std::vector<Index> marker_vertices(const Marker& marker)

@@ -6,15 +6,15 @@ namespace morph {
 
 const Marker* find_marker(const std::vector<Marker>& markers, const std::string& name)
 {
-    const auto found = std::find_if(markers.begin(), markers.end(), [&](const Marker& m) { return m.name == name; });
+    const auto found =
+        std::find_if(markers.begin(), markers.end(), [&](const Marker& m) { return m.name == name; });
     return found == markers.end() ? nullptr : &*found;
 }
 
 const Field* find_field(const std::vector<Field>& fields, const std::string& name, FieldLocation location)
 {
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) {
-        return f.name == name && f.location == location;
-    });
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const Field& f) { return f.name == name && f.location == location; });
     return found == fields.end() ? nullptr : &*found;
 }
 

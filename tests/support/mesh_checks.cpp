@@ -1,0 +1,94 @@
+#include "tests/support/mesh_checks.h"
+
+#include <OpenMesh/Tools/Utils/MeshCheckerT.hh>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <sstream>
+
+namespace morph::test {
+
+namespace {
+
+void expect_same_bytes(const double* a, const double* b, Eigen::Index count)
+{
+    EXPECT_EQ(std::memcmp(a, b, static_cast<std::size_t>(count) * sizeof(double)), 0);
+}
+
+} // namespace
+
+void expect_sound(const Mesh& mesh)
+{
+    Kernel kernel = mesh.kernel;
+    std::ostringstream complaints;
+    EXPECT_TRUE(OpenMesh::Utils::MeshCheckerT<Kernel>(kernel).check(
+        OpenMesh::Utils::MeshCheckerT<Kernel>::CHECK_ALL, complaints))
+        << complaints.str();
+    for (const HalfedgeHandle h : kernel.halfedges()) {
+        EXPECT_EQ(kernel.from_vertex_handle(kernel.next_halfedge_handle(h)), kernel.to_vertex_handle(h));
+        EXPECT_EQ(kernel.face_handle(kernel.next_halfedge_handle(h)), kernel.face_handle(h));
+    }
+    EXPECT_EQ(mesh.numbering.vertex.size(), kernel.n_vertices());
+    EXPECT_EQ(mesh.numbering.element.size(), kernel.n_faces());
+}
+
+void expect_same(const MeshData& a, const MeshData& b)
+{
+    EXPECT_EQ(a.dimension, b.dimension);
+    ASSERT_EQ(a.points.rows(), b.points.rows());
+    expect_same_bytes(a.points.data(), b.points.data(), a.points.size());
+    EXPECT_EQ(a.elements, b.elements);
+    ASSERT_EQ(a.markers.size(), b.markers.size());
+    for (std::size_t i = 0; i < a.markers.size(); ++i) {
+        EXPECT_EQ(a.markers[i].name, b.markers[i].name);
+        EXPECT_EQ(a.markers[i].edges, b.markers[i].edges);
+    }
+    ASSERT_EQ(a.fields.size(), b.fields.size());
+    for (std::size_t i = 0; i < a.fields.size(); ++i) {
+        EXPECT_EQ(a.fields[i].name, b.fields[i].name);
+        EXPECT_EQ(a.fields[i].location, b.fields[i].location);
+        ASSERT_EQ(a.fields[i].values.rows(), b.fields[i].values.rows());
+        ASSERT_EQ(a.fields[i].values.cols(), b.fields[i].values.cols());
+        expect_same_bytes(a.fields[i].values.data(), b.fields[i].values.data(), a.fields[i].values.size());
+    }
+    ASSERT_EQ(a.carried.size(), b.carried.size());
+    for (std::size_t i = 0; i < a.carried.size(); ++i)
+        EXPECT_EQ(a.carried[i].text, b.carried[i].text);
+}
+
+MeshData shuffled(const MeshData& mesh, unsigned seed)
+{
+    std::mt19937 random(seed);
+    MeshData result = mesh;
+    std::vector<Index> number(static_cast<std::size_t>(mesh.points.rows()));
+    std::iota(number.begin(), number.end(), 0);
+    std::shuffle(number.begin(), number.end(), random);
+    const auto rename = [&](Index& v) { v = v < 0 ? v : number[static_cast<std::size_t>(v)]; };
+    for (Index v = 0; v < mesh.points.rows(); ++v)
+        result.points.row(number[static_cast<std::size_t>(v)]) = mesh.points.row(v);
+    for (Element& e : result.elements) {
+        std::for_each(e.begin(), e.end(), rename);
+        const auto first = static_cast<std::ptrdiff_t>(random() % 3);
+        std::rotate(e.begin(), e.begin() + first, e.begin() + corner_count(e));
+    }
+    for (Marker& marker : result.markers)
+        for (auto& edge : marker.edges)
+            std::for_each(edge.begin(), edge.end(), rename);
+    std::shuffle(result.elements.begin(), result.elements.end(), random);
+    return result;
+}
+
+void turn_some(MeshData& mesh, double share, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::bernoulli_distribution chosen(share);
+    for (Element& e : mesh.elements)
+        if (chosen(random))
+            std::reverse(e.begin(), e.begin() + corner_count(e));
+}
+
+} // namespace morph::test
