@@ -2,7 +2,9 @@
 
 #include "libmorph/core/error.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -62,7 +64,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(followed(
     }
     if (descriptor_ < 0)
         fail(errno);
-    buffer_.reserve(kBufferBytes);
+    buffer_.resize(kBufferBytes);
 }
 
 OutputFile::~OutputFile()
@@ -75,21 +77,30 @@ OutputFile::~OutputFile()
 
 void OutputFile::append(std::string_view bytes)
 {
-    if (buffer_.size() + bytes.size() > kBufferBytes)
+    if (bytes.size() > buffer_.size() - used_)
         flush();
-    buffer_.append(bytes);
+    if (bytes.size() > buffer_.size()) {
+        write_all(bytes);
+        return;
+    }
+    std::copy(bytes.begin(), bytes.end(), buffer_.data() + used_);
+    used_ += bytes.size();
 }
 
 void OutputFile::flush()
 {
-    std::string_view rest = buffer_;
-    while (!rest.empty()) {
-        const ssize_t written = write(descriptor_, rest.data(), rest.size());
+    write_all({buffer_.data(), used_});
+    used_ = 0;
+}
+
+void OutputFile::write_all(std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno != EINTR)
             fail(errno);
-        rest.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
     }
-    buffer_.clear();
 }
 
 void OutputFile::commit()

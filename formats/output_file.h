@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace morph {
 
@@ -20,6 +20,13 @@ public:
     /// @throws InputError  the disk is full, …
     void append(std::string_view bytes);
 
+    /// Room for @p count bytes, to be filled in place and then taken with advance_to(): for text made
+    /// of many small pieces, such as the numbers of a line.
+    /// @throws InputError  the disk is full, …
+    char* room(std::size_t count);
+    /// Take the bytes from room() up to @p end.
+    void advance_to(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.data()); }
+
     /// Flush and rename into place. A file that was there before keeps its permissions.
     /// @throws InputError  the bytes could not be written, or the name not be taken
     void commit();
@@ -28,14 +35,26 @@ public:
 
 private:
     void flush();
+    void write_all(std::string_view bytes);
     [[noreturn]] void fail(int error_number) const;
 
     std::string path_;
     std::string target_; ///< where a link called path_ leads
     std::string temporary_;
-    std::string buffer_;
+    std::vector<char> buffer_;
+    std::size_t used_ = 0; ///< bytes of the buffer not yet written
     int descriptor_ = -1;
     bool committed_ = false;
 };
+
+inline char* OutputFile::room(std::size_t count)
+{
+    if (buffer_.size() - used_ < count) {
+        flush();
+        if (buffer_.size() < count)
+            buffer_.resize(count);
+    }
+    return buffer_.data() + used_;
+}
 
 } // namespace morph

@@ -60,6 +60,7 @@ public:
     /// All that has not been read.
     std::string_view rest() const { return text_.substr(position()); }
     std::string_view text() const { return text_; }
+    const std::string& path() const { return path_; }
 
     /// Line of a position, from 1.
     std::size_t line_of(std::size_t position) const;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "formats/text_scanner.h"
+
+#include <vector>
+
+namespace morph {
+
+/// A key with the number of lines that follow it, such as "NELEM= 12".
+struct Su2Section {
+    std::string name;      ///< "NELEM"
+    std::size_t key = 0;   ///< where it stands
+    std::size_t start = 0; ///< of the lines
+    Index count = 0;
+};
+
+/// "NELEM" of a line "NELEM= …", read up to behind the '='. Empty, and nothing is read, when the
+/// line is none of that kind.
+std::string_view try_su2_key(TextScanner& in);
+
+/// The position of "NDIME=", which may stand behind what cannot be read without it.
+/// @throws InputError  there is none
+std::size_t find_su2_dimension(TextScanner& in);
+
+/// The count behind a key. The first line of the section is next.
+/// @throws InputError  it is none
+Su2Section read_su2_section(TextScanner& in, std::string_view name, std::size_t key);
+
+/// Number of lines worth making room for: what the section says, but not more than the file could hold.
+std::size_t su2_room(const TextScanner& in, const Su2Section& section, std::size_t shortest_line);
+
+/// The section lacks its line number @p done; says why. A line of something else is expected to be @p what.
+/// @throws InputError  always
+[[noreturn]] void fail_su2_short(TextScanner& in, const Su2Section& section, std::size_t done,
+                                 const std::string& what);
+
+/// Skip to the next key that is not one of @p parts; returns the text from @p start to there,
+/// without trailing comments.
+std::string_view skip_su2_section(TextScanner& in, std::size_t start,
+                                  const std::vector<std::string_view>& parts = {});
+
+/// Go to line @p line (from 0) of a section, over blank lines and comments.
+void seek_su2_line(TextScanner& in, std::size_t section_start, std::size_t line);
+
+} // namespace morph
