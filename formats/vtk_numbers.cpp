@@ -94,9 +94,17 @@ void append_number(std::string& text, T value)
     text.append(digits.data(), end.ptr);
 }
 
-bool is_space(char c)
+/// "nan", "inf", "-Infinity" and the like, which the scanner refuses.
+bool try_not_finite(TextScanner& scanner, double& value)
 {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    const std::string_view rest = scanner.rest();
+    const auto [after, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const auto length = static_cast<std::size_t>(after - rest.data());
+    const bool whole = length == rest.size() || kEndsNumber[static_cast<unsigned char>(rest[length])];
+    if (error != std::errc() || std::isfinite(value) || !whole)
+        return false;
+    scanner.seek(scanner.position() + length);
+    return true;
 }
 
 } // namespace
@@ -181,27 +189,15 @@ std::string swapped_bytes(const NumberArray& array)
     return bytes;
 }
 
-std::optional<std::size_t> parse_numbers(std::string_view text, std::size_t limit,
-                                         std::vector<double>& numbers)
+bool read_numbers(TextScanner& scanner, std::size_t limit, std::vector<double>& numbers)
 {
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (numbers.size() < limit) {
-        while (at < end && is_space(*at))
-            ++at;
-        if (at == end)
-            break;
-        const char* const word = at;
-        if (*at == '+' && at + 1 < end && at[1] != '-')
-            ++at;
+    while (numbers.size() < limit && scanner.skip_white()) {
         double value = 0;
-        const auto [stop, error] = std::from_chars(at, end, value);
-        if (error != std::errc() || (stop < end && !is_space(*stop)))
-            return static_cast<std::size_t>(word - text.data());
+        if (!scanner.try_real(value) && !try_not_finite(scanner, value))
+            return false;
         numbers.push_back(value);
-        at = stop;
     }
-    return std::nullopt;
+    return true;
 }
 
 } // namespace morph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "formats/text_scanner.h"
 #include "libmorph/core/types.h"
 
 #include <cstddef>
@@ -56,10 +57,9 @@ void append_text(std::string& text, const NumberArray& array, std::size_t per_li
 /// The bytes of the array with those of each number in the opposite order.
 std::string swapped_bytes(const NumberArray& array);
 
-/// Read the real numbers in a text, separated by white space, and append them to @p numbers until
-/// there are @p limit.
-/// @return offset in @p text of the first word that is no number, or nothing when all are
-std::optional<std::size_t> parse_numbers(std::string_view text, std::size_t limit,
-                                         std::vector<double>& numbers);
+/// Append the real numbers that come next in a text to @p numbers until there are @p limit; "nan" and
+/// "inf" count as numbers here.
+/// @return false when something else comes first, which the scanner then stands at
+bool read_numbers(TextScanner& scanner, std::size_t limit, std::vector<double>& numbers);
 
 } // namespace morph

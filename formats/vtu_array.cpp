@@ -22,6 +22,11 @@ std::string value_of(const XmlElement& element, std::string_view attribute, cons
     return value ? *value : otherwise;
 }
 
+std::string name_of(const XmlElement& array)
+{
+    return value_of(array, "Name", "");
+}
+
 } // namespace
 
 VtuArrays::VtuArrays(const InputBytes& file, const XmlDocument& document) : file_(file)
@@ -59,12 +64,12 @@ VtuArrays::VtuArrays(const InputBytes& file, const XmlDocument& document) : file
 
 void VtuArrays::fail(const XmlElement& element, const std::string& what) const
 {
-    throw InputError(file_.path + ":" + std::to_string(line_of(file_.bytes, element.offset)) + ": " + what);
+    throw xml_error(file_, element.offset, what);
 }
 
 void VtuArrays::fail_array(const XmlElement& array, const std::string& what) const
 {
-    fail(array, "array '" + value_of(array, "Name", "") + "' " + what);
+    fail(array, "array '" + name_of(array) + "' " + what);
 }
 
 /// The text of the element; runs of it that a comment or VTK's <InformationKey> parts are joined.
@@ -78,22 +83,33 @@ std::string_view VtuArrays::only_text(const XmlElement& array)
     return text_;
 }
 
+/// Up to @p limit numbers of the element's text.
+void VtuArrays::read_ascii(const XmlElement& array, std::size_t limit)
+{
+    numbers_.clear();
+    for (const std::string_view run : array.text) {
+        const auto begin = static_cast<std::size_t>(run.data() - file_.bytes.data());
+        TextScanner scanner(file_.path, file_.bytes.substr(0, begin + run.size()));
+        scanner.seek(begin);
+        if (!read_numbers(scanner, limit, numbers_))
+            scanner.fail_expected("number " + std::to_string(numbers_.size()) + " of array '" +
+                                  name_of(array) + "'");
+    }
+}
+
 NumberArray VtuArrays::ascii(const XmlElement& array, std::size_t count)
 {
-    const std::string_view text = only_text(array);
-    if (count > text.size() / 2 + 1)
+    std::size_t length = 0;
+    for (const std::string_view run : array.text)
+        length += run.size();
+    if (count > length / 2 + 1)
         fail_array(array, "should have " + std::to_string(count) + " numbers, but its text is only " +
-                              std::to_string(text.size()) + " bytes long");
-    numbers_.clear();
+                              std::to_string(length) + " bytes long");
     numbers_.reserve(count);
-    if (const auto bad = parse_numbers(text, count, numbers_)) {
-        const std::string_view word = text.substr(*bad, text.substr(*bad).find_first_of(" \t\r\n"));
-        fail_array(array, "has '" + std::string(word.substr(0, 30)) + "' where number " +
-                              std::to_string(numbers_.size()) + " was expected");
-    }
-    if (numbers_.size() < count)
-        fail_array(array,
-                   "has " + std::to_string(numbers_.size()) + " numbers, expected " + std::to_string(count));
+    read_ascii(array, count + 1);
+    if (numbers_.size() != count)
+        fail_array(array, "has " + (numbers_.size() > count ? "more" : std::to_string(numbers_.size())) +
+                              " numbers, expected " + std::to_string(count));
     return view_of(NumberType::float64, numbers_.data(), numbers_.size());
 }
 
@@ -114,9 +130,7 @@ std::vector<std::string> VtuArrays::strings(const XmlElement& array)
 {
     std::string bytes;
     if (value_of(array, "format", "ascii") == "ascii") {
-        numbers_.clear();
-        if (parse_numbers(only_text(array), kAnyLength, numbers_))
-            fail_array(array, "is of strings but has text that is no list of character codes");
+        read_ascii(array, kAnyLength);
         for (const double code : numbers_) {
             if (!(code >= -128 && code < 256))
                 fail_array(array, "is of strings but has a number that is no character code");

@@ -40,6 +40,7 @@ private:
 
     [[noreturn]] void fail_array(const XmlElement& array, const std::string& what) const;
     std::string_view only_text(const XmlElement& array);
+    void read_ascii(const XmlElement& array, std::size_t limit);
     NumberArray ascii(const XmlElement& array, std::size_t count);
     Encoded encoded(const XmlElement& array);
     std::string_view front(const XmlElement& array, const Encoded& data, std::size_t count);

@@ -1,6 +1,6 @@
 #include "formats/xml.h"
 
-#include "libmorph/core/error.h"
+#include "formats/text_scanner.h"
 
 #include <algorithm>
 #include <charconv>
@@ -48,7 +48,7 @@ private:
 
     [[noreturn]] void fail(std::size_t offset, const std::string& what) const
     {
-        throw InputError(file_.path + ":" + std::to_string(line_of(bytes(), offset)) + ": " + what);
+        throw xml_error(file_, offset, what);
     }
 
     void skip_space()
@@ -174,8 +174,7 @@ private:
         at_ += 2;
         const std::size_t begin = at_;
         if (name() != element.name)
-            fail(begin, "<" + element.name + "> of line " + std::to_string(line_of(bytes(), element.offset)) +
-                            " is not closed before another element is");
+            fail(begin, "expected </" + element.name + ">, found another end tag");
         skip_space();
         expect('>');
     }
@@ -251,10 +250,12 @@ std::string xml_escaped(std::string_view value)
     return escaped;
 }
 
-std::size_t line_of(std::string_view bytes, std::size_t offset)
+InputError xml_error(const InputBytes& file, std::size_t offset, std::string what)
 {
-    const std::string_view before = bytes.substr(0, offset);
-    return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    std::replace_if(
+        what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
+    const std::size_t line = TextScanner(file.path, file.bytes).line_of(offset);
+    return InputError(file.path + ":" + std::to_string(line) + ": " + what);
 }
 
 } // namespace morph

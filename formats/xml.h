@@ -1,6 +1,7 @@
 #pragma once
 
 #include "formats/format.h"
+#include "libmorph/core/error.h"
 
 #include <string>
 #include <string_view>
@@ -40,7 +41,7 @@ XmlDocument read_xml(const InputBytes& file, std::string_view raw_element);
 /// An attribute value with what XML reserves, and control characters, as entities.
 std::string xml_escaped(std::string_view value);
 
-/// 1-based line of a byte.
-std::size_t line_of(std::string_view bytes, std::size_t offset);
+/// "path:line: what" with the line of a byte; what the file put into @p what stays on one line.
+InputError xml_error(const InputBytes& file, std::size_t offset, std::string what);
 
 } // namespace morph
