@@ -2,9 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/numerics/symmetric_matrix.h"
-
-#include <Eigen/SparseCholesky>
+#include "libmorph/numerics/sparse_cholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,17 +71,6 @@ std::vector<HeldEdge> held_edges(const Places& places, const std::vector<Weighte
     return found;
 }
 
-/// Sort each row and add up entries of the same column (two edges between the same two vertices).
-void tidy_row(SymmetricMatrix& A, std::size_t i, std::vector<std::pair<Index, double>>& row)
-{
-    row.clear();
-    for (std::size_t e = A.start[i]; e < A.start[i + 1]; ++e)
-        row.emplace_back(A.column[e], A.value[e]);
-    std::sort(row.begin(), row.end());
-    for (std::size_t e = 0; e < row.size(); ++e)
-        std::tie(A.column[A.start[i] + e], A.value[A.start[i] + e]) = row[e];
-}
-
 SymmetricMatrix free_matrix(const Places& places, const std::vector<WeightedEdge>& edges)
 {
     SymmetricMatrix A;
@@ -116,11 +103,6 @@ SymmetricMatrix free_matrix(const Places& places, const std::vector<WeightedEdge
             put(i, j, -weight);
             put(j, i, -weight);
         }
-    parallel_for(n, 4096, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::pair<Index, double>> row;
-        for (std::size_t i = begin; i < end; ++i)
-            tidy_row(A, i, row);
-    });
     return A;
 }
 
@@ -158,36 +140,35 @@ void require_every_part_held(const SymmetricMatrix& A, const std::vector<HeldEdg
                          "marker on each part");
 }
 
+/// Where the free vertices are, by row.
+Points2 free_points(const Eigen::Ref<const Points>& points, const Places& places)
+{
+    Points2 where(places.free_vertices(), 2);
+    for (Index v = 0; v < points.rows(); ++v)
+        if (const Index row = places.row(v); row >= 0)
+            where.row(row) = points.row(v).head<2>();
+    return where;
+}
+
 } // namespace
 
 struct DirichletProblem::Parts {
     Places places;
-    std::size_t held_count;
+    Index held_count;
     std::vector<HeldEdge> boundary;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+    SparseCholesky factor;
 };
 
 DirichletProblem::DirichletProblem(const Eigen::Ref<const Points>& points,
-                                   const std::vector<WeightedEdge>& edges, std::vector<Index> held)
+                                   const std::vector<WeightedEdge>& edges, const std::vector<Index>& held)
 {
     Places places(static_cast<std::size_t>(points.rows()), edges, held);
-    const SymmetricMatrix A = free_matrix(places, edges);
     std::vector<HeldEdge> boundary = held_edges(places, edges);
+    const SymmetricMatrix A = free_matrix(places, edges);
     require_every_part_held(A, boundary);
-    parts_.reset(new Parts{std::move(places), held.size(), std::move(boundary), {}});
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Index i = 0; i < A.rows(); ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        entries.emplace_back(i, i, A.diagonal[row]);
-        for (std::size_t e = A.start[row]; e < A.start[row + 1]; ++e)
-            entries.emplace_back(i, A.column[e], A.value[e]);
-    }
-    Eigen::SparseMatrix<double> K(A.rows(), A.rows());
-    K.setFromTriplets(entries.begin(), entries.end());
-    if (A.rows() > 0)
-        parts_->factor.compute(K);
-    if (A.rows() > 0 && parts_->factor.info() != Eigen::Success)
-        throw SolverError("the stiffness matrix cannot be factored");
+    SparseCholesky factor(A, nested_dissection(A, free_points(points, places)));
+    parts_ = std::make_unique<Parts>(
+        Parts{std::move(places), static_cast<Index>(held.size()), std::move(boundary), std::move(factor)});
 }
 
 DirichletProblem::~DirichletProblem() = default;
@@ -197,14 +178,13 @@ DirichletProblem& DirichletProblem::operator=(DirichletProblem&&) noexcept = def
 Matrix DirichletProblem::solve(const Matrix& values) const
 {
     const Places& places = parts_->places;
-    if (static_cast<std::size_t>(values.rows()) != parts_->held_count)
+    if (values.rows() != parts_->held_count)
         throw InputError(std::to_string(values.rows()) + " rows of values are given for " +
                          std::to_string(parts_->held_count) + " held vertices");
     Matrix free = Matrix::Zero(places.free_vertices(), values.cols());
     for (const HeldEdge& e : parts_->boundary)
         free.row(e.row) += e.weight * values.row(e.held);
-    if (places.free_vertices() > 0)
-        free = parts_->factor.solve(free).eval();
+    parts_->factor.solve(free);
     Matrix h = Matrix::Zero(static_cast<Index>(places.vertices()), values.cols());
     for (Index v = 0; v < h.rows(); ++v)
         if (places.row(v) >= 0)
@@ -212,7 +192,7 @@ Matrix DirichletProblem::solve(const Matrix& values) const
         else if (places.is_held(v))
             h.row(v) = values.row(places.held_row(v));
     if (!h.allFinite())
-        throw SolverError("the stiffness matrix has no finite solution");
+        throw SolverError("the system has no finite solution");
     return h;
 }
 

@@ -25,7 +25,7 @@ public:
     ///                      held vertex: the solution there would be arbitrary
     /// @throws SolverError  the matrix is not positive definite: a part hangs on by weights of zero
     DirichletProblem(const Eigen::Ref<const Points>& points, const std::vector<WeightedEdge>& edges,
-                     std::vector<Index> held);
+                     const std::vector<Index>& held);
     ~DirichletProblem();
     DirichletProblem(DirichletProblem&&) noexcept;
     DirichletProblem& operator=(DirichletProblem&&) noexcept;
