@@ -55,11 +55,27 @@ private:
     void attach(Index v, Index edge, const Numbering& numbering)
     {
         EdgePair& pair = edges_at_[v];
+        if (pair.first != kNone && same_edge(pair.first, edge))
+            throw InputError(
+                "marker '" + marker_.name + "' lists the edge between vertices " +
+                file_number(marker_.edges[static_cast<std::size_t>(edge)][0], numbering) + " and " +
+                file_number(marker_.edges[static_cast<std::size_t>(edge)][1], numbering) + " twice");
         if (pair.second != kNone)
-            throw InputError("marker '" + marker_.name + "' branches at vertex " +
-                             std::to_string(numbering.vertex[static_cast<std::size_t>(v)]) +
+            throw InputError("marker '" + marker_.name + "' branches at vertex " + file_number(v, numbering) +
                              ": more than two of its edges meet there");
         (pair.first == kNone ? pair.first : pair.second) = edge;
+    }
+
+    static std::string file_number(Index v, const Numbering& numbering)
+    {
+        return std::to_string(numbering.vertex[static_cast<std::size_t>(v)]);
+    }
+
+    bool same_edge(Index a, Index b) const
+    {
+        const auto& [from, to] = marker_.edges[static_cast<std::size_t>(a)];
+        const auto& other = marker_.edges[static_cast<std::size_t>(b)];
+        return std::minmax(from, to) == std::minmax(other[0], other[1]);
     }
 
     Index unused_edge_at(Index v) const

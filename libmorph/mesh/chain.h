@@ -18,7 +18,8 @@ struct Chain {
 /// Chains come in the order of their first edges.
 ///
 /// @param numbering  file numbers for the messages
-/// @throws InputError  the marker has no edges, or branches at a vertex (three or more edges meet)
+/// @throws InputError  the marker has no edges, lists one twice, or branches at a vertex (three or more
+///                     edges meet)
 std::vector<Chain> marker_chains(const Marker& marker, const Numbering& numbering);
 
 /// The one chain of a marker.

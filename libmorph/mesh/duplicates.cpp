@@ -28,11 +28,13 @@ VertexSet vertex_set(const Element& element, std::size_t number)
 
 [[noreturn]] void throw_duplicate(const VertexSet& a, const VertexSet& b, const Numbering& numbering)
 {
+    std::vector<Index> ids;
+    for (int k = 0; k < corner_count(a.vertices); ++k)
+        ids.push_back(numbering.vertex[static_cast<std::size_t>(a.vertices[static_cast<std::size_t>(k)])]);
+    std::sort(ids.begin(), ids.end());
     std::string vertices;
-    for (int k = 0; k < corner_count(a.vertices); ++k) {
-        const Index v = a.vertices[static_cast<std::size_t>(k)];
-        vertices += (k == 0 ? "" : ", ") + std::to_string(numbering.vertex[static_cast<std::size_t>(v)]);
-    }
+    for (const Index id : ids)
+        vertices += (vertices.empty() ? "" : ", ") + std::to_string(id);
     const auto [first, second] = std::minmax(numbering.element[a.element], numbering.element[b.element]);
     throw InputError("elements " + std::to_string(first) + " and " + std::to_string(second) +
                      " have the same vertices " + vertices);

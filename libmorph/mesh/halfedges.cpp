@@ -81,8 +81,9 @@ Buckets fill_buckets(const std::vector<Element>& elements, Index vertices)
         elements += (i == 0 ? "" : ", ") + std::to_string(numbering.element[run[i].element()]);
     if (run.size() > kMostNamed)
         elements += ", …";
-    throw InputError("the edge between vertices " + std::to_string(numbering.vertex[smaller]) + " and " +
-                     std::to_string(numbering.vertex[static_cast<std::size_t>(run[0].larger())]) +
+    const auto [first, second] =
+        std::minmax(numbering.vertex[smaller], numbering.vertex[static_cast<std::size_t>(run[0].larger())]);
+    throw InputError("the edge between vertices " + std::to_string(first) + " and " + std::to_string(second) +
                      " belongs to " + std::to_string(run.size()) + " elements (" + elements +
                      "), but at most two can share an edge");
 }

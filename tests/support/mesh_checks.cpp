@@ -5,21 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <random>
 #include <sstream>
 
 namespace morph::test {
-
-namespace {
-
-void expect_same_bytes(const double* a, const double* b, Eigen::Index count)
-{
-    EXPECT_EQ(std::memcmp(a, b, static_cast<std::size_t>(count) * sizeof(double)), 0);
-}
-
-} // namespace
 
 void expect_sound(const Mesh& mesh)
 {
@@ -34,30 +24,6 @@ void expect_sound(const Mesh& mesh)
     }
     EXPECT_EQ(mesh.numbering.vertex.size(), kernel.n_vertices());
     EXPECT_EQ(mesh.numbering.element.size(), kernel.n_faces());
-}
-
-void expect_same(const MeshData& a, const MeshData& b)
-{
-    EXPECT_EQ(a.dimension, b.dimension);
-    ASSERT_EQ(a.points.rows(), b.points.rows());
-    expect_same_bytes(a.points.data(), b.points.data(), a.points.size());
-    EXPECT_EQ(a.elements, b.elements);
-    ASSERT_EQ(a.markers.size(), b.markers.size());
-    for (std::size_t i = 0; i < a.markers.size(); ++i) {
-        EXPECT_EQ(a.markers[i].name, b.markers[i].name);
-        EXPECT_EQ(a.markers[i].edges, b.markers[i].edges);
-    }
-    ASSERT_EQ(a.fields.size(), b.fields.size());
-    for (std::size_t i = 0; i < a.fields.size(); ++i) {
-        EXPECT_EQ(a.fields[i].name, b.fields[i].name);
-        EXPECT_EQ(a.fields[i].location, b.fields[i].location);
-        ASSERT_EQ(a.fields[i].values.rows(), b.fields[i].values.rows());
-        ASSERT_EQ(a.fields[i].values.cols(), b.fields[i].values.cols());
-        expect_same_bytes(a.fields[i].values.data(), b.fields[i].values.data(), a.fields[i].values.size());
-    }
-    ASSERT_EQ(a.carried.size(), b.carried.size());
-    for (std::size_t i = 0; i < a.carried.size(); ++i)
-        EXPECT_EQ(a.carried[i].text, b.carried[i].text);
 }
 
 MeshData shuffled(const MeshData& mesh, unsigned seed)
