@@ -2,21 +2,19 @@
 
 #include "formats/cell_types.h"
 #include "formats/su2_carried.h"
+#include "formats/su2_markers.h"
 #include "formats/su2_sections.h"
 #include "formats/su2_vertex_ids.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <unordered_map>
 
 namespace morph {
 
 namespace {
 
 constexpr std::size_t kShortestElement = 8; // "5 0 1 2\n"
-constexpr std::size_t kShortestEdge = 6;    // "3 0 1\n"
 constexpr std::size_t kShortestPoint = 4;   // "0 0\n"
 
 class Su2Reader {
@@ -30,23 +28,14 @@ private:
     bool read_counted(std::string_view key, std::size_t start);
     void begin(std::optional<Su2Section>& section, std::string_view name, std::size_t key);
     void read_one_zone();
-
     void read_elements();
     Element read_element(std::size_t i);
-    void finish_line(const std::string& what);
     void read_points();
     void read_point(std::size_t i);
 
-    void read_marker(std::size_t start);
-    void read_marker_lines(const std::string& name, const Su2Section& section);
-    bool read_marker_line(const Su2Section& section, std::size_t i, std::vector<std::array<Index, 2>>& edges);
-    Marker& marker_called(const std::string& name);
-
-    void check_sections();
+    void check_sections() const;
     void check_element_vertices();
-    void check_marker_vertices();
     void sort_points();
-    [[noreturn]] void fail_vertex(const std::string& who, Index vertex);
 
     TextScanner in_;
     MeshData data_;
@@ -54,13 +43,10 @@ private:
     std::optional<Su2Section> elements_;
     std::optional<Su2Section> points_;
     std::optional<Su2Section> marker_count_;
-    std::vector<Su2Section> markers_; ///< every block of marker edges
-    std::unordered_map<std::string, std::size_t> marker_numbers_;
-    Index marker_blocks_ = 0;
-    Index largest_in_elements_ = -1;
-    Index largest_in_markers_ = -1;
+    Index largest_vertex_ = -1; ///< that an element names
     Su2VertexIds ids_;
     Su2CarriedSections carried_;
+    Su2Markers markers_{carried_};
 };
 
 MeshData Su2Reader::read()
@@ -70,8 +56,9 @@ MeshData Su2Reader::read()
         read_section();
     check_sections();
     check_element_vertices();
-    check_marker_vertices();
+    markers_.check_vertices(in_, points_->count);
     sort_points();
+    data_.markers = markers_.take();
     data_.carried = carried_.texts();
     return std::move(data_);
 }
@@ -96,7 +83,7 @@ void Su2Reader::read_section()
     if (read_counted(key, start))
         return;
     if (key == "MARKER_TAG")
-        read_marker(start);
+        markers_.read(in_, start);
     else if (key == "MARKER_ELEMS")
         in_.fail("MARKER_ELEMS= without a MARKER_TAG= before it");
     else if (key == "NZONE")
@@ -126,6 +113,7 @@ bool Su2Reader::read_counted(std::string_view key, std::size_t start)
     return true;
 }
 
+/// Read the count behind a key; a line with further numbers is carried.
 void Su2Reader::begin(std::optional<Su2Section>& section, std::string_view name, std::size_t key)
 {
     if (section)
@@ -134,9 +122,9 @@ void Su2Reader::begin(std::optional<Su2Section>& section, std::string_view name,
     section = read_su2_section(in_, name, key);
     in_.seek(key);
     const std::string_view line = in_.rest_of_line();
-    in_.seek(section->start);
     if (line.find_first_of(" \t", line.find_first_of("0123456789")) != std::string_view::npos)
         carried_.add_header(line);
+    in_.seek(section->start);
 }
 
 void Su2Reader::read_one_zone()
@@ -169,32 +157,23 @@ Element Su2Reader::read_element(std::size_t i)
         if (!in_.try_index(element[k]))
             in_.fail_expected("vertex " + std::to_string(k + 1) + " of " + cell_type_name(type) +
                               ", element " + std::to_string(i));
-        largest_in_elements_ = std::max(largest_in_elements_, element[k]);
+        largest_vertex_ = std::max(largest_vertex_, element[k]);
     }
-    if (Index id = 0; !in_.at_line_end() && !(in_.try_index(id) && in_.at_line_end()))
-        finish_line("element " + std::to_string(i));
+    if (!end_su2_line(in_))
+        in_.fail_expected("a number or the end of the line after element " + std::to_string(i));
     return element;
-}
-
-/// Numbers that say nothing here may end a line: ids, the parallel and the recursion level.
-void Su2Reader::finish_line(const std::string& what)
-{
-    while (!in_.at_line_end())
-        in_.integer("a number or the end of the line after " + what);
 }
 
 void Su2Reader::read_points()
 {
-    data_.points.resize(static_cast<Eigen::Index>(su2_room(in_, *points_, kShortestPoint)), 3);
-    const auto room = static_cast<std::size_t>(data_.points.rows());
+    const std::size_t room = su2_room(in_, *points_, kShortestPoint);
+    data_.points.resize(static_cast<Eigen::Index>(room), 3);
     for (std::size_t i = 0; i < room; ++i) {
         in_.skip_white();
         read_point(i);
     }
-    if (room < static_cast<std::size_t>(points_->count)) {
-        in_.skip_white();
+    if (room < static_cast<std::size_t>(points_->count))
         fail_su2_short(in_, *points_, room, "the end of the file");
-    }
 }
 
 void Su2Reader::read_point(std::size_t i)
@@ -210,95 +189,21 @@ void Su2Reader::read_point(std::size_t i)
     ids_.read(in_, static_cast<Index>(i));
 }
 
-void Su2Reader::read_marker(std::size_t start)
+void Su2Reader::check_sections() const
 {
-    ++marker_blocks_;
-    const std::string name(in_.rest_of_line());
-    if (name.empty())
-        in_.fail_expected("a name after MARKER_TAG=");
-    if (name == "SEND_RECEIVE") {
-        carried_.add_marker(skip_su2_section(in_, start, {"MARKER_ELEMS", "SEND_TO", "SEND_RECV"}));
-        return;
-    }
-    in_.skip_white();
-    const std::size_t key = in_.position();
-    const std::string found = in_.found();
-    if (try_su2_key(in_) != "MARKER_ELEMS")
-        in_.fail("expected MARKER_ELEMS= after MARKER_TAG= " + name + ", found " + found);
-    markers_.push_back(read_su2_section(in_, "MARKER_ELEMS", key));
-    read_marker_lines(name, markers_.back());
+    if (!elements_ || !points_)
+        throw InputError(in_.path() + (elements_ ? ": NPOIN= is missing" : ": NELEM= is missing"));
+    const std::string found = ", but the file has " + std::to_string(markers_.blocks()) + " marker(s)";
+    if (marker_count_ && marker_count_->count != markers_.blocks())
+        in_.fail_at(marker_count_->key, "NMARK= " + std::to_string(marker_count_->count) + found);
+    if (!marker_count_ && markers_.blocks() > 0)
+        throw InputError(in_.path() + ": NMARK= is missing" + found);
 }
 
-Marker& Su2Reader::marker_called(const std::string& name)
-{
-    const auto [entry, is_new] = marker_numbers_.try_emplace(name, data_.markers.size());
-    if (is_new)
-        data_.markers.push_back({name, {}});
-    return data_.markers[entry->second];
-}
-
-void Su2Reader::read_marker_lines(const std::string& name, const Su2Section& section)
-{
-    std::vector<std::array<Index, 2>> edges;
-    edges.reserve(su2_room(in_, section, kShortestEdge));
-    std::string vertices;
-    std::size_t vertex_count = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(section.count); ++i) {
-        in_.skip_white();
-        const std::size_t line = in_.position();
-        if (read_marker_line(section, i, edges))
-            continue;
-        in_.seek(line);
-        vertices.append(in_.rest_of_line()).append("\n");
-        ++vertex_count;
-    }
-    if (vertex_count > 0)
-        carried_.add_marker_vertices(name, vertex_count, vertices);
-    if (vertex_count == 0 || !edges.empty()) {
-        std::vector<std::array<Index, 2>>& all = marker_called(name).edges;
-        all.insert(all.end(), edges.begin(), edges.end());
-    }
-}
-
-/// An edge, or false for a line that has only a vertex.
-bool Su2Reader::read_marker_line(const Su2Section& section, std::size_t i,
-                                 std::vector<std::array<Index, 2>>& edges)
-{
-    Index type = 0;
-    if (!in_.try_index(type))
-        fail_su2_short(in_, section, i, "the type of marker element " + std::to_string(i));
-    if (type != kEdgeCell && type != kVertexCell)
-        in_.fail("marker element " + std::to_string(i) + " is " + cell_type_name(type) +
-                 "; supported are edges (type 3)");
-    std::array<Index, 2> edge{0, 0};
-    for (std::size_t k = 0; k < (type == kEdgeCell ? 2 : 1); ++k) {
-        if (!in_.try_index(edge[k]))
-            in_.fail_expected("vertex " + std::to_string(k + 1) + " of marker element " + std::to_string(i));
-        largest_in_markers_ = std::max(largest_in_markers_, edge[k]);
-    }
-    finish_line("marker element " + std::to_string(i));
-    if (type == kEdgeCell)
-        edges.push_back(edge);
-    return type == kEdgeCell;
-}
-
-void Su2Reader::check_sections()
-{
-    if (!elements_)
-        throw InputError(in_.path() + ": NELEM= is missing");
-    if (!points_)
-        throw InputError(in_.path() + ": NPOIN= is missing");
-    const Index promised = marker_count_ ? marker_count_->count : 0;
-    if (promised != marker_blocks_)
-        in_.fail_at(marker_count_ ? marker_count_->key : 0, "NMARK= " + std::to_string(promised) +
-                                                                ", but the file has " +
-                                                                std::to_string(marker_blocks_) + " markers");
-}
-
-/// The vertices may stand behind the elements, so that ids can be checked only when all is read.
+/// The vertices may stand behind the elements, so that this waits until all is read.
 void Su2Reader::check_element_vertices()
 {
-    if (largest_in_elements_ < points_->count)
+    if (largest_vertex_ < points_->count)
         return;
     for (std::size_t i = 0; i < data_.elements.size(); ++i) {
         const Element& element = data_.elements[i];
@@ -306,34 +211,8 @@ void Su2Reader::check_element_vertices()
         if (largest < points_->count)
             continue;
         seek_su2_line(in_, elements_->start, i);
-        fail_vertex("element " + std::to_string(i), largest);
+        fail_su2_vertex(in_, "element " + std::to_string(i), largest, points_->count);
     }
-}
-
-void Su2Reader::check_marker_vertices()
-{
-    if (largest_in_markers_ < points_->count)
-        return;
-    for (const Su2Section& section : markers_) {
-        in_.seek(section.start);
-        for (Index i = 0; i < section.count; ++i, in_.skip_line()) {
-            in_.skip_white();
-            const std::size_t line = in_.position();
-            const Index type = in_.index("a type");
-            Index largest = in_.index("a vertex");
-            if (type == kEdgeCell)
-                largest = std::max(largest, in_.index("a vertex"));
-            in_.seek(line);
-            if (largest >= points_->count)
-                fail_vertex("marker element " + std::to_string(i), largest);
-        }
-    }
-}
-
-void Su2Reader::fail_vertex(const std::string& who, Index vertex)
-{
-    in_.fail(who + " names vertex " + std::to_string(vertex) + ", but the mesh has " +
-             std::to_string(points_->count));
 }
 
 void Su2Reader::sort_points()

@@ -84,6 +84,12 @@ std::string_view skip_su2_section(TextScanner& in, std::size_t start,
     return in.text().substr(start, end - start);
 }
 
+void fail_su2_vertex(const TextScanner& in, const std::string& who, Index vertex, Index vertices)
+{
+    in.fail(who + " names vertex " + std::to_string(vertex) + ", but the mesh has " +
+            std::to_string(vertices));
+}
+
 void seek_su2_line(TextScanner& in, std::size_t section_start, std::size_t line)
 {
     in.seek(section_start);

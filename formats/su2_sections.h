@@ -39,7 +39,25 @@ std::size_t su2_room(const TextScanner& in, const Su2Section& section, std::size
 std::string_view skip_su2_section(TextScanner& in, std::size_t start,
                                   const std::vector<std::string_view>& parts = {});
 
+/// Skip the numbers that may end a line and say nothing here: ids, level of the parallel run.
+/// False when something else is there.
+bool end_su2_line(TextScanner& in);
+
+/// @throws InputError  always: "WHO names vertex 12, but the mesh has 10"
+[[noreturn]] void fail_su2_vertex(const TextScanner& in, const std::string& who, Index vertex,
+                                  Index vertices);
+
 /// Go to line @p line (from 0) of a section, over blank lines and comments.
 void seek_su2_line(TextScanner& in, std::size_t section_start, std::size_t line);
+
+inline bool end_su2_line(TextScanner& in)
+{
+    Index id = 0;
+    std::int64_t number = 0;
+    while (!in.at_line_end())
+        if (!in.try_index(id) && !in.try_integer(number))
+            return false;
+    return true;
+}
 
 } // namespace morph

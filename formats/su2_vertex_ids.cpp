@@ -1,5 +1,7 @@
 #include "formats/su2_vertex_ids.h"
 
+#include "formats/su2_sections.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -37,10 +39,7 @@ namespace {
 [[noreturn]] void fail_at_vertex(TextScanner& in, std::size_t section, std::size_t vertex,
                                  const std::string& message)
 {
-    in.seek(section);
-    for (std::size_t i = 0; i < vertex && in.skip_white(); ++i)
-        in.skip_line();
-    in.skip_white();
+    seek_su2_line(in, section, vertex);
     in.fail("vertex " + std::to_string(vertex) + " " + message);
 }
 
