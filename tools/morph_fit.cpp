@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "libmorph/basis/fit.h"
 #include "libmorph/core/error.h"
+#include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/mesh/chain.h"
 #include "tools/case/case_text.h"
 #include "tools/common/command_line.h"
@@ -157,6 +158,23 @@ void describe(const std::vector<FittedMarker>& markers, Report& report)
     report.json["boundaries"] = std::move(boundaries);
 }
 
+/// A curve of too few control points may cross itself or its neighbour; morph-deform will not take it.
+void warn_of_crossings(const std::vector<FittedMarker>& markers)
+{
+    const auto place = [](const CurveCrossing& crossing) {
+        return " near (" + short_number(crossing.point.x()) + ", " + short_number(crossing.point.y()) +
+               "); more --points may help";
+    };
+    for (auto a = markers.begin(); a != markers.end(); ++a) {
+        const Curve curve(a->fit.curve);
+        if (const auto crossing = find_self_crossing(curve))
+            warn(kTool, "the curve of '" + a->name + "' crosses itself" + place(*crossing));
+        for (auto b = a + 1; b != markers.end(); ++b)
+            if (const auto crossing = find_crossing(curve, Curve(b->fit.curve)))
+                warn(kTool, "the curves of '" + a->name + "' and '" + b->name + "' cross" + place(*crossing));
+    }
+}
+
 int fit(const Options& options, const CommonOptions& common)
 {
     Report report(common);
@@ -174,6 +192,7 @@ int fit(const Options& options, const CommonOptions& common)
         fitted.push_back(fit_marker(mesh, name, options.fit));
         boundaries.push_back(boundary_text(fitted.back()));
     }
+    warn_of_crossings(fitted);
     const double fit = watch.lap();
 
     Outputs outputs;
