@@ -134,13 +134,15 @@ bool is_inverted(const ElementShape& shape)
 
 double scaled_jacobian(const ElementShape& shape)
 {
-    double smallest = 1;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(shape.corners); ++k) {
-        const double scaled = ratio(shape.jacobian[k], edge_product(shape, k));
-        smallest = std::min(smallest, scaled);
+    if (shape.corners == 3) {
+        const double longest =
+            std::max({edge_product(shape, 0), edge_product(shape, 1), edge_product(shape, 2)});
+        return std::clamp(2 / std::numbers::sqrt3 * ratio(shape.jacobian[0], longest), -1.0, 1.0);
     }
-    const double ideal = shape.corners == 3 ? 2 / std::numbers::sqrt3 : 1;
-    return std::clamp(ideal * smallest, -1.0, 1.0);
+    double smallest = 1;
+    for (std::size_t k = 0; k < 4; ++k)
+        smallest = std::min(smallest, ratio(shape.jacobian[k], edge_product(shape, k)));
+    return std::max(smallest, -1.0);
 }
 
 AngleRange angle_range(const ElementShape& shape)

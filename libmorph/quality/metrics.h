@@ -34,10 +34,12 @@ double min_jacobian(const ElementShape& shape);
 /// degenerate at one corner.
 bool is_inverted(const ElementShape& shape);
 
-/// Scaled Jacobian of Verdict [Stimpson et al., The Verdict Library Reference Manual, Sandia 2007]: the
-/// smallest corner Jacobian over the lengths of its two edges; triangles times 2/sqrt(3).
+/// Scaled Jacobian of Verdict [Stimpson et al., The Verdict Library Reference Manual, Sandia 2007]. Quad: the
+/// smallest of its corner Jacobians, each over the lengths of its two edges. Triangle: its Jacobian over the
+/// largest product of two edges, times 2/sqrt(3).
 ///
-/// In [-1, 1], 1 for a rectangle or an equilateral triangle, 0 when an edge has no length.
+/// In [-1, 1], 1 for a rectangle or an equilateral triangle, 0 when a quad has an edge without length or a
+/// triangle is one point.
 double scaled_jacobian(const ElementShape& shape);
 
 /// Smallest and largest angle inside an element, degrees.
