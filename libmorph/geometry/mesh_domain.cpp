@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -120,6 +121,25 @@ void divide_box(OutlineLoop& box, const SizeField& size, Index max_vertices)
     box.nodes = std::move(nodes);
 }
 
+/// About how many vertices there will be: samples of the size all over the box, and what a node of a curve
+/// has in front of it until the size has grown to that of the samples' spacing.
+double expected_vertices(const std::vector<OutlineLoop>& loops, const SizeField& size, const DomainSpec& spec)
+{
+    constexpr int kSamples = 64; // a side
+    const Eigen::Vector2d cell(Eigen::Vector2d(spec.box[2] - spec.box[0], spec.box[3] - spec.box[1]) /
+                               kSamples);
+    double expected = 0;
+    for (const OutlineLoop& loop : loops)
+        expected += static_cast<double>(loop.nodes.size()) / spec.growth;
+    for (int i = 0; i < kSamples; ++i)
+        for (int j = 0; j < kSamples; ++j) {
+            const Eigen::Vector2d x(spec.box[0] + (i + 0.5) * cell.x(), spec.box[1] + (j + 0.5) * cell.y());
+            const double edge = std::max(size(x), spec.growth * cell.maxCoeff() / 2);
+            expected += cell.prod() / (0.866 * edge * edge);
+        }
+    return expected;
+}
+
 /// The vertices in the order of the mesh: loop by loop along the parameter, then the inside as it is.
 std::vector<Index> output_order(const Refined& refined, Index loops)
 {
@@ -174,14 +194,14 @@ MeshData to_mesh_data(const Refined& refined, const std::vector<OutlineLoop>& lo
 
 double smallest_angle(const Points& points, const Element& element)
 {
-    double smallest = M_PI;
+    double smallest = std::numbers::pi;
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector2d x = points.row(element[i]).head<2>();
         const Eigen::Vector2d a = points.row(element[(i + 1) % 3]).head<2>().transpose() - x;
         const Eigen::Vector2d b = points.row(element[(i + 2) % 3]).head<2>().transpose() - x;
         smallest = std::min(smallest, std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
     }
-    return smallest * 180 / M_PI;
+    return smallest * 180 / std::numbers::pi;
 }
 
 /// What was promised is checked, not assumed.
@@ -215,7 +235,8 @@ MeshData mesh_domain(const DomainSpec& spec)
     std::vector<OutlineLoop> loops = make_outline(spec);
     const SizeField size = size_field(loops, spec);
     divide_box(loops.back(), size, spec.max_vertices);
-    const MeshData data = to_mesh_data(refine(loops, size, spec.max_vertices), loops);
+    const double expected = expected_vertices(loops, size, spec);
+    MeshData data = to_mesh_data(refine(loops, size, spec.max_vertices, expected), loops);
     require_good_angles(data, SmallCorners(loops));
     return data;
 }

@@ -49,7 +49,7 @@ OutlineLoop box_loop(const std::array<double, 4>& box)
     return loop;
 }
 
-OutlineLoop curve_loop(const DomainCurve& given, std::vector<double> parameters)
+OutlineLoop curve_loop(const DomainCurve& given, const std::vector<double>& parameters)
 {
     OutlineLoop loop;
     loop.name = given.name;

@@ -1,6 +1,7 @@
 #include "libmorph/geometry/refine.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/core/progress.h"
 #include "libmorph/geometry/small_corners.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numbers>
 
 namespace morph {
 
@@ -26,7 +28,7 @@ using Point = Triangulation::Point;
 using Triple = std::array<Index, 3>;
 
 // Refinement aims a little above kMinMeshAngle; Chew's algorithm ends for angles up to 28.6 degrees.
-const double kSineOfAim = std::sin((kMinMeshAngle + 1) * M_PI / 180);
+const double kSineOfAim = std::sin((kMinMeshAngle + 1) * std::numbers::pi / 180);
 
 // Largest circumradius, as a part of that of the equilateral triangle of the wanted size. Refinement
 // leaves triangles of all sizes below its limit; with this their edges have the wanted size on average.
@@ -34,6 +36,9 @@ constexpr double kRadiusAllowance = 1.4;
 
 // A new vertex that sees a boundary edge under more than 135 degrees is too near to it.
 const double kCosineTooNear = -std::sqrt(0.5);
+
+// Vertices from one report to the next.
+constexpr Index kProgressStep = 10000;
 
 // No boundary edge is split below this part of its loop.
 constexpr double kShortestPart = 1e-9;
@@ -80,8 +85,8 @@ Circle circumcircle(FaceHandle f)
 
 class Refiner {
 public:
-    Refiner(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices)
-        : loops_(loops), size_(size), max_vertices_(max_vertices), corners_(loops)
+    Refiner(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices, double expected)
+        : loops_(loops), size_(size), max_vertices_(max_vertices), expected_(expected), corners_(loops)
     {
         insert_loops();
     }
@@ -136,6 +141,7 @@ private:
     const std::vector<OutlineLoop>& loops_;
     const SizeField& size_;
     Index max_vertices_;
+    double expected_;
     SmallCorners corners_;
     Triangulation triangulation_;
     std::vector<Vertex> vertices_;
@@ -151,6 +157,8 @@ Index Refiner::add_vertex(VertexHandle handle, Index loop, double u, BoundaryPla
     const auto number = static_cast<Index>(vertices_.size());
     handle->info() = number;
     vertices_.push_back({handle, loop, u, size_(vec(handle)), place});
+    if (number % kProgressStep == 0)
+        report_progress("meshing", std::min(0.99, number / expected_));
     return number;
 }
 
@@ -395,11 +403,13 @@ Refined Refiner::result() const
 
 } // namespace
 
-Refined refine(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices)
+Refined refine(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices,
+               double expected_vertices)
 {
     try {
-        Refiner refiner(loops, size, max_vertices);
+        Refiner refiner(loops, size, max_vertices, expected_vertices);
         refiner.run();
+        report_progress("meshing", 1);
         return refiner.result();
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
         throw SolverError("the boundaries come too near each other to be meshed with so few nodes");

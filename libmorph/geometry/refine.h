@@ -24,8 +24,10 @@ struct Refined {
 /// the wanted size and no angle is too small (see mesh_domain()).
 ///
 /// @param loops  as make_outline() gives them: disjoint polygons, the box last
+/// @param expected_vertices  about as many as there will be, for the progress
 /// @throws InputError   more than @p max_vertices vertices
 /// @throws SolverError  the loops cross after all
-Refined refine(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices);
+Refined refine(const std::vector<OutlineLoop>& loops, const SizeField& size, Index max_vertices,
+               double expected_vertices);
 
 } // namespace morph

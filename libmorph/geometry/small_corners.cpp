@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace morph {
 
@@ -13,7 +14,7 @@ double angle_between(const Eigen::Vector2d& from, const Eigen::Vector2d& x, cons
     const Eigen::Vector2d a = from - x;
     const Eigen::Vector2d b = to - x;
     const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-    return angle < 0 ? angle + 2 * M_PI : angle;
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
 } // namespace
@@ -31,7 +32,7 @@ SmallCorners::SmallCorners(const std::vector<OutlineLoop>& loops)
             const Eigen::Vector2d& after = loop.nodes[(i + 1) % n].point;
             const double angle =
                 domain_left ? angle_between(after, here, before) : angle_between(before, here, after);
-            small[i] = angle < kSmallCorner * M_PI / 180;
+            small[i] = angle < kSmallCorner * std::numbers::pi / 180;
             if (small[i])
                 discs_.push_back({here, std::max((before - here).norm(), (after - here).norm())});
         }
