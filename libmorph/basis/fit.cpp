@@ -17,7 +17,10 @@ namespace {
 
 constexpr int kKnotRounds = 12;      // knots placed anew from the last fit
 constexpr int kCorrections = 5;      // of the parameters, in each round
-constexpr int kLastCorrections = 40; // with the best knots
+constexpr int kLastCorrections = 20; // with the best knots
+// Share of the distance along the tangent in a step. Less converges sooner and swings more; 1 needs
+// hundreds of steps.
+constexpr double kTangential = 0.01;
 constexpr double kSamePlace = 1e-12; // of the box around the nodes: nodes this close coincide
 
 void require_nodes(const Points2& nodes, bool closed)
@@ -99,29 +102,28 @@ public:
     {
         if (!path.smooth_seam)
             interpolated_.assign(path.pins.begin(), path.closed ? path.pins.end() - 1 : path.pins.end());
-        solve();
+        curve_ =
+            curve_.with_control_points(least_squares_points(curve_, points(), parameters(), interpolated_));
     }
 
     void improve(int corrections)
     {
         for (int i = 0; i < corrections; ++i) {
             correct_parameters(path_, curve_);
-            solve();
+            curve_ = curve_.with_control_points(
+                fitting_step(curve_, points(), parameters(), interpolated_, kTangential));
         }
+        correct_parameters(path_, curve_);
     }
 
     const NodePath& path() const { return path_; }
     const Curve& curve() const { return curve_; }
 
 private:
-    void solve()
-    {
-        // A closed path repeats its first point, which must not count twice.
-        const Eigen::Index count = path_.points.rows() - (path_.closed ? 1 : 0);
-        const std::vector<double> t(path_.t.begin(), path_.t.begin() + count);
-        curve_ = curve_.with_control_points(
-            least_squares_points(curve_, path_.points.topRows(count), t, interpolated_));
-    }
+    // A closed path repeats its first point, which must not count twice.
+    Eigen::Index count() const { return path_.points.rows() - (path_.closed ? 1 : 0); }
+    Points2 points() const { return path_.points.topRows(count()); }
+    std::vector<double> parameters() const { return {path_.t.begin(), path_.t.begin() + count()}; }
 
     NodePath path_;
     Curve curve_;

@@ -20,4 +20,14 @@ namespace morph {
 Points2 least_squares_points(const Curve& shape, const Points2& points, const std::vector<double>& u,
                              const std::vector<Index>& interpolated);
 
+/// One step towards the curve that is nearest to points whatever their parameters.
+///
+/// Minimises (distance along the normal of the curve at u)^2 + @p tangential x (distance along its
+/// tangent)^2. With 1 the result is least_squares_points(); a small value lets points slide along the
+/// curve and brings a sequence of steps and projections to its end many times sooner
+/// [Wang, Pottmann & Liu 2006, ACM Transactions on Graphics 25(2), 214-238, TDM with a share of PDM].
+/// Parameters, result and errors as least_squares_points().
+Points2 fitting_step(const Curve& curve, const Points2& points, const std::vector<double>& u,
+                     const std::vector<Index>& interpolated, double tangential);
+
 } // namespace morph
