@@ -1,0 +1,102 @@
+#include "tests/support/cases.h"
+
+#include "tests/support/process.h"
+
+#include <Eigen/Geometry>
+
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+namespace morph::test {
+
+namespace {
+
+template <typename Numbers>
+std::string list(const Numbers& numbers)
+{
+    std::ostringstream text;
+    text.precision(17);
+    const char* separator = "[";
+    for (const double number : numbers) {
+        text << separator << number;
+        separator = ", ";
+    }
+    text << ']';
+    return text.str();
+}
+
+std::string pairs(const Points2& rows)
+{
+    std::string text = "[";
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        text += (i > 0 ? ", " : "") + list(std::array{rows(i, 0), rows(i, 1)});
+    return text + "]";
+}
+
+std::string boundary_text(const tools::BoundaryEntry& entry)
+{
+    std::ostringstream text;
+    text << "[[boundary]]\nname = \"" << entry.name << "\"\ndegree = " << entry.curve.degree
+         << "\nclosed = " << (entry.curve.closed ? "true" : "false")
+         << "\ncontrol_points = " << pairs(entry.curve.control_points)
+         << "\ndisplacements = " << pairs(entry.displacements) << '\n';
+    if (!entry.curve.knots.empty())
+        text << "knots = " << list(entry.curve.knots) << '\n';
+    if (!entry.curve.weights.empty())
+        text << "weights = " << list(entry.curve.weights) << '\n';
+    if (entry.nodes > 0)
+        text << "nodes = " << entry.nodes << '\n';
+    return text.str();
+}
+
+} // namespace
+
+std::string case_text(const tools::CaseFile& file)
+{
+    std::ostringstream text;
+    text << "[mesh]\n";
+    if (file.generate)
+        text << "generate = { box = " << list(file.generate->box) << ", size = " << file.generate->size
+             << " }\n";
+    else
+        text << "file = \"" << file.mesh_file << "\"\n";
+    for (const tools::BoundaryEntry& entry : file.boundaries)
+        text << '\n' << boundary_text(entry);
+    text << "\n[deform]\nmethod = \"" << file.method << "\"\ndiffusivity = \"" << file.diffusivity
+         << "\"\nguard = \"" << file.guard << "\"\n";
+    return text.str();
+}
+
+tools::CaseFile fitted_case(const std::string& mesh, const std::vector<std::string>& markers, int points)
+{
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments{mesh, "--points", std::to_string(points), "-o",
+                                       folder.file("case.toml")};
+    for (const std::string& marker : markers)
+        arguments.insert(arguments.end(), {"--marker", marker});
+    const ProcessResult result = run_tool("morph-fit", arguments);
+    if (result.status != 0)
+        throw std::runtime_error("morph-fit: " + result.errors);
+    tools::CaseFile file = tools::read_case_file(folder.file("case.toml"));
+    file.mesh_file = mesh;
+    return file;
+}
+
+void turn(tools::CaseFile& file, double degrees, const Eigen::Vector2d& centre)
+{
+    const Eigen::Matrix2d R = Eigen::Rotation2Dd(degrees * std::numbers::pi / 180).toRotationMatrix();
+    for (tools::BoundaryEntry& entry : file.boundaries) {
+        const Points2 arms = entry.curve.control_points.rowwise() - centre.transpose();
+        entry.displacements = arms * R.transpose() - arms;
+    }
+}
+
+void shift(tools::CaseFile& file, const Eigen::Vector2d& shift)
+{
+    for (tools::BoundaryEntry& entry : file.boundaries)
+        entry.displacements =
+            Points2(entry.curve.control_points.rows(), 2).setZero().rowwise() + shift.transpose();
+}
+
+} // namespace morph::test

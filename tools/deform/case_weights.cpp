@@ -1,0 +1,100 @@
+#include "tools/deform/case_weights.h"
+
+#include "formats/formats.h"
+#include "libmorph/core/error.h"
+#include "libmorph/weights/harmonic.h"
+#include "libmorph/weights/weight_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace morph::tools {
+
+namespace {
+
+Matrix solve_harmonic(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
+{
+    static const std::map<std::string, Diffusivity> kDiffusivities{
+        {"uniform", Diffusivity::uniform},
+        {"inverse-distance", Diffusivity::inverse_distance},
+        {"inverse-area", Diffusivity::inverse_area},
+    };
+    const BoundaryConditions& conditions = placed.conditions;
+    return harmonic_weights(mesh, {conditions.held, conditions.moving_edges, conditions.marker_edges},
+                            kDiffusivities.at(file.diffusivity));
+}
+
+using Filler = Matrix (*)(const Mesh&, const PlacedCase&, const CaseFile&);
+
+const std::map<std::string, Filler>& methods()
+{
+    static const std::map<std::string, Filler> table{{"harmonic", solve_harmonic}};
+    return table;
+}
+
+void require_same_points(const std::string& path, const MeshData& data, const Mesh& mesh)
+{
+    if (data.points.rows() != mesh.numbering.file_vertices)
+        throw InputError(path + ": has weights for " + std::to_string(data.points.rows()) +
+                         " vertices, but the mesh has " + std::to_string(mesh.numbering.file_vertices));
+    // Formats that keep fewer digits than a double still name the same mesh.
+    const auto positions = points(mesh);
+    const double tolerance = 1e-6 * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+    for (Index v = 0; v < vertex_count(mesh); ++v) {
+        const Index row = mesh.numbering.vertex[static_cast<std::size_t>(v)];
+        if (!((data.points.row(row) - positions.row(v)).norm() <= tolerance))
+            throw InputError(path + ": is for another mesh: its vertex " + std::to_string(row) +
+                             " lies elsewhere; morph-remap carries weights from one mesh to another");
+    }
+}
+
+void set_boundary_rows(const DirichletSet& held, Matrix& values)
+{
+    for (std::size_t i = 0; i < held.vertices.size(); ++i)
+        values.row(held.vertices[i]) = held.values.row(static_cast<Eigen::Index>(i));
+}
+
+} // namespace
+
+Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
+{
+    return {placed.conditions.columns, methods().at(file.method)(mesh, placed, file)};
+}
+
+Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed)
+{
+    const MeshData data = read_mesh_data(path);
+    require_same_points(path, data, mesh);
+    Weights saved;
+    try {
+        saved = weights_from_fields(data.fields, placed.conditions.columns);
+    } catch (const InputError& error) {
+        throw InputError(path + ": " + error.what());
+    }
+    Weights weights{saved.columns, Matrix(vertex_count(mesh), saved.values.cols())};
+    for (Index v = 0; v < vertex_count(mesh); ++v)
+        weights.values.row(v) = saved.values.row(mesh.numbering.vertex[static_cast<std::size_t>(v)]);
+    set_boundary_rows(placed.conditions.held, weights.values);
+    return weights;
+}
+
+WeightsCheck check_weights(const Weights& weights, const PlacedCase& placed)
+{
+    WeightsCheck check;
+    if (weights.values.size() > 0) {
+        check.min = weights.values.minCoeff();
+        check.max = weights.values.maxCoeff();
+    }
+    std::vector<bool> fixed(static_cast<std::size_t>(weights.values.rows()));
+    for (const SharedVertex& shared : placed.conditions.shared)
+        fixed[static_cast<std::size_t>(shared.vertex)] = !shared.fixed_by.empty();
+    for (const CurveBoundary& boundary : placed.boundaries)
+        for (const Index v : boundary.vertices)
+            if (!fixed[static_cast<std::size_t>(v)])
+                check.partition_error =
+                    std::max(check.partition_error, std::abs(weights.values.row(v).sum() - 1));
+    return check;
+}
+
+} // namespace morph::tools

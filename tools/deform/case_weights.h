@@ -1,0 +1,28 @@
+#pragma once
+
+#include "libmorph/weights/weights.h"
+#include "tools/deform/moved_case.h"
+
+#include <string>
+
+namespace morph::tools {
+
+/// Fill the weights by the method that the case names. A new method is one more row of the table in
+/// the source.
+Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file);
+
+/// Read weights that were saved on this mesh, or remapped to it, and set the boundary rows anew so that
+/// boundary nodes land on their curves.
+///
+/// @throws InputError  the file's vertices are not those of the mesh, or a field is missing
+Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed);
+
+/// Range of the weights, and how far the rows of the curves' own nodes are from summing to one.
+struct WeightsCheck {
+    double min = 0;
+    double max = 0;
+    double partition_error = 0;
+};
+WeightsCheck check_weights(const Weights& weights, const PlacedCase& placed);
+
+} // namespace morph::tools

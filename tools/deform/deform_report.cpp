@@ -1,0 +1,90 @@
+#include "tools/deform/deform_report.h"
+
+#include "tools/common/quality_json.h"
+
+#include <utility>
+
+namespace morph::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json boundary_json(const CurveBoundary& boundary, const BoundaryFit& fit)
+{
+    return {{"name", boundary.name},
+            {"nodes", boundary.vertices.size()},
+            {"degree", boundary.curve.degree()},
+            {"closed", boundary.curve.closed()},
+            {"control_points", boundary.curve.control_point_count()},
+            {"max_distance", fit.largest_distance},
+            {"mean_distance", fit.mean_distance},
+            {"landing_error", fit.landing_error}};
+}
+
+std::string boundary_line(const CurveBoundary& boundary, const BoundaryFit& fit)
+{
+    return "boundary " + boundary.name + ": " + std::to_string(boundary.vertices.size()) + " nodes on " +
+           (boundary.curve.closed() ? "a closed" : "an open") + " curve of degree " +
+           std::to_string(boundary.curve.degree()) + " with " +
+           std::to_string(boundary.curve.control_point_count()) + " control points; at most " +
+           short_number(fit.largest_distance) + " off it, moved with an error of " +
+           short_number(fit.landing_error);
+}
+
+std::string weights_line(const DeformResult& result, const PlacedCase& placed)
+{
+    return "weights: " + result.method + " (" + result.diffusivity + "), " +
+           std::to_string(placed.conditions.columns.size()) + " control points, from " +
+           short_number(result.weights.min) + " to " + short_number(result.weights.max) + ", " +
+           short_number(result.seconds.weights) + " s";
+}
+
+ordered_json seconds_json(const StageSeconds& seconds)
+{
+    return {{"read", seconds.read},
+            {"weights", seconds.weights},
+            {"apply", seconds.apply},
+            {"guard", seconds.guard},
+            {"write", seconds.write}};
+}
+
+void describe_quality(const DeformResult& result, Report& report)
+{
+    if (!result.before || !result.after)
+        return;
+    report.json["quality"] = {{"before", quality_json(*result.before)},
+                              {"after", quality_json(*result.after)}};
+    for (const auto& [when, quality] :
+         {std::pair("before the move", &*result.before), {"after the move", &*result.after}}) {
+        report.say(std::string(when) + ":");
+        for (const std::string& line : quality_summary(*quality))
+            report.say("  " + line);
+    }
+}
+
+} // namespace
+
+void describe(const DeformResult& result, const PlacedCase& placed, Report& report)
+{
+    ordered_json& json = report.json;
+    json["method"] = result.method;
+    json["diffusivity"] = result.diffusivity;
+    json["guard"] = result.guard;
+    json["output"] = result.output;
+    json["control_points"] = placed.conditions.columns.size();
+    json["boundaries"] = ordered_json::array();
+    for (std::size_t b = 0; b < placed.boundaries.size(); ++b) {
+        json["boundaries"].push_back(boundary_json(placed.boundaries[b], result.fits[b]));
+        report.say(boundary_line(placed.boundaries[b], result.fits[b]));
+    }
+    json["weights"] = {{"min", result.weights.min},
+                       {"max", result.weights.max},
+                       {"partition_error", result.weights.partition_error}};
+    report.say(weights_line(result, placed));
+    describe_quality(result, report);
+    json["seconds"] = seconds_json(result.seconds);
+    report.say("wrote " + result.output);
+}
+
+} // namespace morph::tools

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "libmorph/quality/quality.h"
+#include "tools/common/report.h"
+#include "tools/deform/case_weights.h"
+#include "tools/deform/moved_case.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+
+/// Seconds that each stage of morph-deform took.
+struct StageSeconds {
+    double read = 0;
+    double weights = 0;
+    double apply = 0;
+    double guard = 0;
+    double write = 0;
+};
+
+/// Everything morph-deform tells about a run.
+struct DeformResult {
+    std::string method;
+    std::string diffusivity;
+    std::string guard;
+    std::string output;
+    WeightsCheck weights;
+    std::vector<BoundaryFit> fits;       ///< one per boundary
+    std::optional<QualityReport> before; ///< without guard = "none"
+    std::optional<QualityReport> after;
+    StageSeconds seconds;
+};
+
+/// Put the result into the report, as JSON and as a summary.
+void describe(const DeformResult& result, const PlacedCase& placed, Report& report);
+
+} // namespace morph::tools

@@ -1,0 +1,185 @@
+// morph-deform: move a mesh with its geometry.
+//   morph-deform examples/01_thesis_case1/case.toml -o deformed.vtu --json report.json
+#include "formats/formats.h"
+#include "libmorph/core/error.h"
+#include "libmorph/deform/apply.h"
+#include "libmorph/mesh/builder.h"
+#include "libmorph/weights/weight_fields.h"
+#include "tools/case/generate_mesh.h"
+#include "tools/common/command_line.h"
+#include "tools/common/run.h"
+#include "tools/deform/case_weights.h"
+#include "tools/deform/deform_report.h"
+#include "tools/deform/moved_case.h"
+
+namespace {
+
+using namespace morph;
+using namespace morph::tools;
+
+constexpr const char* kTool = "morph-deform";
+
+struct Options {
+    std::string case_file;
+    std::string output;
+    std::string method;
+    std::string diffusivity;
+    std::string weights;
+    std::string save_weights;
+    std::string guard;
+    std::string from;
+    std::string to;
+};
+
+void add_options(CommandLine& line, Options& options)
+{
+    CLI::App& app = line.app();
+    app.add_option("case", options.case_file, "Case file: mesh, curves and how their control points move")
+        ->required()
+        ->type_name("CASE.toml");
+    app.add_option("-o,--output", options.output, "The moved mesh (wins over [output] mesh)")
+        ->type_name("OUT");
+    app.add_option("--method", options.method,
+                   "How control points move the mesh: harmonic (wins over [deform])")
+        ->check(CLI::IsMember({"harmonic"}));
+    app.add_option("--diffusivity", options.diffusivity,
+                   "uniform, inverse-distance or inverse-area (wins over [deform])")
+        ->check(CLI::IsMember({"uniform", "inverse-distance", "inverse-area"}));
+    app.add_option("--weights", options.weights,
+                   "Take the weights from this file instead of solving for them")
+        ->type_name("W.vtu");
+    app.add_option("--save-weights", options.save_weights,
+                   "Write the weights as nodal fields h_<boundary>_<i> on the undeformed mesh")
+        ->type_name("W.vtu");
+    app.add_option("--guard", options.guard,
+                   "check: count inverted elements and exit with 3 if there are any; none: do not look")
+        ->check(CLI::IsMember({"none", "check"}));
+    line.add_from(options.from);
+    line.add_to(options.to);
+}
+
+CaseFile case_with_options(const Options& options)
+{
+    CaseFile file = read_case_file(options.case_file);
+    const auto take = [](const std::string& option, std::string& setting) {
+        if (!option.empty())
+            setting = option;
+    };
+    take(options.method, file.method);
+    take(options.diffusivity, file.diffusivity);
+    take(options.guard, file.guard);
+    take(options.output, file.output_mesh);
+    if (file.output_mesh.empty())
+        throw UsageError("where should the moved mesh go? give -o OUT or [output] mesh in " + file.path);
+    return file;
+}
+
+void require_outputs_writable(const Options& options, const CaseFile& file)
+{
+    find_format(file.output_mesh, options.to);
+    Outputs::require_writable(file.output_mesh);
+    if (options.save_weights.empty())
+        return;
+    find_format(options.save_weights, "");
+    Outputs::require_writable(options.save_weights);
+}
+
+Mesh load_mesh(const CaseFile& file, const std::string& from)
+{
+    return file.generate ? build_mesh(generate_mesh(file)) : read_mesh(file.mesh_file, from);
+}
+
+void stage_mesh(MeshData data, const std::string& path, const std::string& format, Outputs& outputs)
+{
+    for (const std::string& warning : write_mesh_data(data, outputs.open(path), format))
+        warn(kTool, warning);
+}
+
+/// The undeformed mesh with the weights in the place of its own fields.
+void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, Outputs& outputs)
+{
+    std::vector<Field> fields = weight_fields(weights);
+    fields.swap(mesh.fields);
+    stage_mesh(to_data(mesh), path, "", outputs);
+    fields.swap(mesh.fields);
+}
+
+void warn_of_inversion(const DeformResult& result)
+{
+    if (result.before && result.before->inverted > 0)
+        warn(kTool, "the mesh has " + std::to_string(result.before->inverted) +
+                        " inverted elements before the move already");
+    if (result.after && result.after->inverted > 0)
+        warn(kTool, result.output + ": " + std::to_string(result.after->inverted) +
+                        " of its elements are inverted; " +
+                        (result.diffusivity == "uniform"
+                             ? "try diffusivity = \"inverse-distance\", or a smaller move"
+                             : "try a smaller move"));
+}
+
+/// Moves the mesh and looks at every element before and after.
+void move_and_check(Mesh& mesh, const Weights& weights, const PlacedCase& placed, DeformResult& result)
+{
+    Stopwatch watch;
+    const Points before = points(mesh);
+    apply_weights(weights, placed.displacements, points(mesh));
+    result.seconds.apply = watch.lap();
+    for (std::size_t b = 0; b < placed.boundaries.size(); ++b)
+        result.fits.push_back(boundary_fit(placed, b, before, points(mesh)));
+    if (result.guard == "check") {
+        result.before = quality_report(mesh, before);
+        result.after = quality_report(mesh);
+    }
+    result.seconds.guard = watch.lap();
+}
+
+int deform(int argc, char** argv)
+{
+    Options options;
+    CommandLine line(
+        kTool,
+        "Moves a mesh with the geometry inside it: the nodes of each boundary follow the control\n"
+        "points of its curve exactly, the nodes inside follow by harmonic weights.",
+        "  morph-fit naca0012.su2 --marker airfoil -o case.toml   (then edit displacements)\n"
+        "  morph-deform case.toml -o deformed.su2 --json report.json");
+    add_options(line, options);
+    if (!line.parse(argc, argv))
+        return kDone;
+    Report report(line.common());
+    Stopwatch watch;
+    const CaseFile file = case_with_options(options);
+    require_outputs_writable(options, file);
+    DeformResult result;
+    result.method = file.method;
+    result.diffusivity = file.diffusivity;
+    result.guard = file.guard;
+    result.output = file.output_mesh;
+    Mesh mesh = load_mesh(file, options.from);
+    result.seconds.read = watch.lap();
+    const PlacedCase placed = place_case(mesh, file);
+    for (const std::string& warning : placement_warnings(placed))
+        warn(kTool, warning);
+    const Weights weights = options.weights.empty() ? solve_weights(mesh, placed, file)
+                                                    : load_weights(options.weights, mesh, placed);
+    result.weights = check_weights(weights, placed);
+    result.seconds.weights = watch.lap();
+    Outputs outputs;
+    if (!options.save_weights.empty())
+        stage_weights(mesh, weights, options.save_weights, outputs);
+    result.seconds.write = watch.lap();
+    move_and_check(mesh, weights, placed, result);
+    watch.lap();
+    stage_mesh(to_data(mesh), file.output_mesh, options.to, outputs);
+    result.seconds.write += watch.lap();
+    describe(result, placed, report);
+    report.finish(outputs);
+    warn_of_inversion(result);
+    return result.after && result.after->inverted > 0 ? kInverted : kDone;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return run(kTool, [&] { return deform(argc, argv); });
+}
