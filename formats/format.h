@@ -39,6 +39,9 @@ struct Format {
     /// @throws InputError  "path:line: what is wrong" (binary: "path: byte 123: …")
     std::function<MeshData(const InputBytes&)> read;
     std::function<void(const MeshData&, const WriteOptions&, OutputFile&)> write;
+
+    /// What else of this mesh the format cannot hold, each for "FORMAT cannot hold …"; may be empty.
+    std::function<std::vector<std::string>(const MeshData&, const WriteOptions&)> losses = nullptr;
 };
 
 /// Every format, in the order of formats/CMakeLists.txt.

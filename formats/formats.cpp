@@ -63,7 +63,7 @@ std::string field_list(const MeshData& data, FieldLocation location)
            " field(s) " + joined(names);
 }
 
-std::vector<std::string> losses(const MeshData& data, const Format& format)
+std::vector<std::string> losses(const MeshData& data, const Format& format, const WriteOptions& options)
 {
     std::vector<std::string> lost;
     const std::string cannot = std::string(format.name) + " cannot hold ";
@@ -80,6 +80,9 @@ std::vector<std::string> losses(const MeshData& data, const Format& format)
     for (const CarriedText& carried : data.carried)
         if (carried.format != format.name)
             lost.push_back(cannot + carried.what);
+    if (format.losses)
+        for (const std::string& what : format.losses(data, options))
+            lost.push_back(cannot + what);
     return lost;
 }
 
@@ -127,14 +130,14 @@ std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file,
     const Format& writer = find_format(file.path(), format);
     require_surface_fits(data, writer, file.path());
     writer.write(data, options, file);
-    std::vector<std::string> warnings = losses(data, writer);
+    std::vector<std::string> warnings = losses(data, writer, options);
     for (std::string& warning : warnings)
         warning = file.path() + ": " + warning;
     return warnings;
 }
 
-std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, const std::string& format,
-                                         const WriteOptions& options)
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,
+                                         const std::string& format, const WriteOptions& options)
 {
     find_format(path, format); // before a file is made
     OutputFile file(path);

@@ -1,74 +1,22 @@
 #include "formats/vtk_cells.h"
 
+#include "formats/cell_types.h"
+#include "formats/surface.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 namespace morph {
 
 namespace {
 
-constexpr std::uint8_t kVertex = 1;
 constexpr std::uint8_t kPolyVertex = 2;
-constexpr std::uint8_t kLine = 3;
 constexpr std::uint8_t kPolyLine = 4;
-constexpr std::uint8_t kTriangle = 5;
 constexpr std::uint8_t kPolygon = 7;
 constexpr std::uint8_t kPixel = 8;
-constexpr std::uint8_t kQuad = 9;
-
-/// What vtkCellType.h calls the types that are not read.
-std::string type_name(std::uint8_t type)
-{
-    static const std::map<int, std::string_view> names{{0, "empty cell"},
-                                                       {6, "triangle strip"},
-                                                       {10, "tetrahedron"},
-                                                       {11, "voxel"},
-                                                       {12, "hexahedron"},
-                                                       {13, "wedge"},
-                                                       {14, "pyramid"},
-                                                       {15, "pentagonal prism"},
-                                                       {16, "hexagonal prism"},
-                                                       {21, "quadratic edge"},
-                                                       {22, "quadratic triangle"},
-                                                       {23, "quadratic quad"},
-                                                       {24, "quadratic tetrahedron"},
-                                                       {25, "quadratic hexahedron"},
-                                                       {26, "quadratic wedge"},
-                                                       {27, "quadratic pyramid"},
-                                                       {28, "biquadratic quad"},
-                                                       {29, "triquadratic hexahedron"},
-                                                       {30, "quadratic linear quad"},
-                                                       {31, "quadratic linear wedge"},
-                                                       {32, "biquadratic quadratic wedge"},
-                                                       {33, "biquadratic quadratic hexahedron"},
-                                                       {34, "biquadratic triangle"},
-                                                       {35, "cubic line"},
-                                                       {36, "quadratic polygon"},
-                                                       {41, "convex point set"},
-                                                       {42, "polyhedron"},
-                                                       {68, "Lagrange curve"},
-                                                       {69, "Lagrange triangle"},
-                                                       {70, "Lagrange quadrilateral"},
-                                                       {71, "Lagrange tetrahedron"},
-                                                       {72, "Lagrange hexahedron"},
-                                                       {73, "Lagrange wedge"},
-                                                       {74, "Lagrange pyramid"},
-                                                       {75, "Bezier curve"},
-                                                       {76, "Bezier triangle"},
-                                                       {77, "Bezier quadrilateral"},
-                                                       {78, "Bezier tetrahedron"},
-                                                       {79, "Bezier hexahedron"},
-                                                       {80, "Bezier wedge"},
-                                                       {81, "Bezier pyramid"}};
-    const auto found = names.find(type);
-    return std::string(found == names.end() ? "cell of unknown kind" : found->second) + " (VTK cell type " +
-           std::to_string(type) + ")";
-}
 
 /// Turns the cells of one grid into elements and markers.
 class CellReader {
@@ -84,7 +32,7 @@ public:
             add_cell(mesh, cell);
         add_markers(mesh);
         add_fields(mesh);
-        mesh.dimension = dimension();
+        mesh.dimension = dimension_of(grid_.points);
         mesh.points = std::move(grid_.points);
         return mesh;
     }
@@ -137,13 +85,13 @@ private:
     {
         require_corners(cell);
         const std::uint8_t type = grid_.types[cell];
-        if (type == kTriangle || type == kQuad || type == kPixel || type == kPolygon)
+        if (type == kTriangleCell || type == kQuadCell || type == kPixel || type == kPolygon)
             return add_element(mesh, cell);
-        if (type == kLine || type == kPolyLine) {
-            require_count(cell, 2, type == kLine ? 2 : INT64_MAX);
+        if (type == kEdgeCell || type == kPolyLine) {
+            require_count(cell, 2, type == kEdgeCell ? 2 : INT64_MAX);
             lines_.push_back(cell);
-        } else if (type != kVertex && type != kPolyVertex) {
-            fail(cell_text(cell) + " is a " + type_name(type) +
+        } else if (type != kVertexCell && type != kPolyVertex) {
+            fail(cell_text(cell) + " is " + cell_type_name(type) +
                  ", but only meshes of triangles and quads, planar or surface, are supported");
         }
     }
@@ -157,7 +105,7 @@ private:
             fail(cell_text(cell) + " is a polygon of " + std::to_string(count) +
                  " corners, but only triangles and quads are supported");
         if (type != kPolygon)
-            require_count(cell, type == kTriangle ? 3 : 4, type == kTriangle ? 3 : 4);
+            require_count(cell, type == kTriangleCell ? 3 : 4, type == kTriangleCell ? 3 : 4);
         Element element{corner(begin), corner(begin + 1), corner(begin + 2), -1};
         if (count == 4)
             element[3] = corner(begin + 3);
@@ -242,8 +190,6 @@ private:
             mesh.fields.push_back(std::move(field));
         }
     }
-
-    int dimension() const { return (grid_.points.col(2).array() == 0).all() ? 2 : 3; }
 
     VtkGrid& grid_;
     const std::string& path_;

@@ -4,7 +4,6 @@
 #include "formats/vtk_cells.h"
 #include "formats/xml.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -38,14 +37,6 @@ std::string without_escapes(std::string_view text)
 }
 
 namespace {
-
-constexpr std::size_t kPiece = std::size_t{1} << 18; ///< bytes handed on at once
-
-void append_in_pieces(OutputFile& file, std::string_view bytes)
-{
-    for (; !bytes.empty(); bytes.remove_prefix(std::min(kPiece, bytes.size())))
-        file.append(bytes.substr(0, kPiece));
-}
 
 /// Writes the XML, and behind it the bytes that it refers to.
 class VtuWriter {
@@ -144,7 +135,7 @@ private:
         for (const VtkArray& array : appended_) {
             const std::uint64_t length = bytes_of(array);
             file_.append({reinterpret_cast<const char*>(&length), sizeof length});
-            array.numbers([&](const NumberArray& numbers) { append_in_pieces(file_, numbers.bytes); });
+            array.numbers([&](const NumberArray& numbers) { file_.append(numbers.bytes); });
         }
         line("\n</AppendedData>");
     }
