@@ -12,6 +12,8 @@ namespace morph {
 
 namespace {
 
+constexpr std::size_t kGrain = 4096; // vertices a thread takes at a time
+
 /// Which vertices are unknown.
 class Places {
 public:
@@ -136,8 +138,8 @@ void require_every_part_held(const SymmetricMatrix& A, const std::vector<HeldEdg
         }
     if (loose > 0)
         throw InputError(std::to_string(loose) +
-                         " part(s) of the mesh have no held vertex; hold at least one "
-                         "marker on each part");
+                         (loose == 1 ? " part of the mesh has" : " parts of the mesh have") +
+                         " no held vertex; hold at least one marker on each part");
 }
 
 /// Where the free vertices are, by row.
@@ -181,18 +183,24 @@ Matrix DirichletProblem::solve(const Matrix& values) const
     if (values.rows() != parts_->held_count)
         throw InputError(std::to_string(values.rows()) + " rows of values are given for " +
                          std::to_string(parts_->held_count) + " held vertices");
-    Matrix free = Matrix::Zero(places.free_vertices(), values.cols());
-    for (const HeldEdge& e : parts_->boundary)
-        free.row(e.row) += e.weight * values.row(e.held);
+    const auto K = values.cols();
+    Matrix free = Matrix::Zero(places.free_vertices(), K + 1);
+    for (const HeldEdge& e : parts_->boundary) {
+        free.row(e.row).head(K) += e.weight * values.row(e.held);
+        free(e.row, K) += e.weight; // the last column has 1 at every held vertex
+    }
     parts_->factor.solve(free);
-    Matrix h = Matrix::Zero(static_cast<Index>(places.vertices()), values.cols());
-    for (Index v = 0; v < h.rows(); ++v)
-        if (places.row(v) >= 0)
-            h.row(v) = free.row(places.row(v));
-        else if (places.is_held(v))
-            h.row(v) = values.row(places.held_row(v));
-    if (!h.allFinite())
-        throw SolverError("the system has no finite solution");
+    Matrix h = Matrix::Zero(static_cast<Index>(places.vertices()), K);
+    parallel_for(places.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
+            if (const Index row = places.row(v); row >= 0)
+                h.row(v) = free.row(row).head(K) / free(row, K);
+            else if (places.is_held(v))
+                h.row(v) = values.row(places.held_row(v));
+        const auto count = static_cast<Index>(end - begin);
+        if (!h.middleRows(static_cast<Index>(begin), count).allFinite())
+            throw SolverError("the system has no finite solution");
+    });
     return h;
 }
 

@@ -30,6 +30,12 @@ public:
     DirichletProblem(DirichletProblem&&) noexcept;
     DirichletProblem& operator=(DirichletProblem&&) noexcept;
 
+    /// One more column, 1 at every held vertex, is solved for and divides the others: exactly it is 1, and
+    /// in floating point it has lost what they have lost to the rounding of the diagonal (each entry is a
+    /// sum over edges whose weights may differ 1e12 times at slivers). Elimination only adds numbers of one
+    /// sign here, so that the quotients keep the bounds of the held values, and columns that sum to 1 there
+    /// sum to 1, to some 1e-14 whatever the condition of the matrix.
+    ///
     /// @param values  k x K, row i belongs to held[i]
     /// @return n x K: equal to @p values at the held vertices, 0 at vertices without an edge
     /// @throws SolverError  the result is not finite

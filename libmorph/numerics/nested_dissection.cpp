@@ -12,6 +12,7 @@ namespace {
 
 constexpr Index kLeaf = 16;            // sets of at most so many rows are not cut
 constexpr Index kSamples = 1024;       // points that the median of a large set is taken from
+constexpr Index kLeastPart = 8;        // a side must have this part of its set: the recursion stays shallow
 constexpr Index kSmallestTask = 10000; // sets of fewer rows are not worth a thread
 
 enum Side : char { left = 0, right = 1, eliminated = 2 };
@@ -19,8 +20,8 @@ enum Side : char { left = 0, right = 1, eliminated = 2 };
 /// Points with x nx + y ny < at are on the left.
 struct Cut {
     double nx = 0, ny = 0, at = 0;
-    Side separator = left; ///< vertices of this side that see the other are the separator
-    double cost = 0;
+    Side separator = left;  ///< vertices of this side that see the other are the separator
+    double cost = HUGE_VAL; ///< size of the separator for each vertex of the smaller side
 };
 
 constexpr std::array<std::array<double, 2>, 2> kDirections{{{1, 0}, {0, 1}}};
@@ -132,7 +133,10 @@ private:
             if (i == 0 || cut.cost < best.cost)
                 best = cut;
         }
-        apply(best, begin, end);
+        if (best.cost < HUGE_VAL)
+            apply(best, begin, end);
+        else
+            halve(begin, end);
         return arrange(best.separator, begin, end);
     }
 
@@ -144,6 +148,13 @@ private:
             const Index v = row(i);
             side_[static_cast<std::size_t>(v)] = along(cut, v) < cut.at ? left : right;
         }
+    }
+
+    /// For points that lie on top of each other.
+    void halve(Index begin, Index end)
+    {
+        for (Index i = begin; i < end; ++i)
+            side_[static_cast<std::size_t>(row(i))] = i < begin + (end - begin) / 2 ? left : right;
     }
 
     bool sees(Index v, Side side) const
@@ -176,8 +187,8 @@ private:
         }
         cut.separator = seeing[0] <= seeing[1] ? left : right;
         const Index smaller = std::min(size[0], size[1]);
-        cut.cost =
-            smaller == 0 ? HUGE_VAL : static_cast<double>(std::min(seeing[0], seeing[1]) + 1) / smaller;
+        if (smaller >= (end - begin) / kLeastPart)
+            cut.cost = static_cast<double>(std::min(seeing[0], seeing[1]) + 1) / smaller;
         return cut;
     }
 

@@ -1,5 +1,6 @@
 #include "libmorph/weights/harmonic.h"
 
+#include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
@@ -7,48 +8,55 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
 namespace {
 
 using namespace morph;
+using std::numbers::pi;
 
-// One sparse solve of a well-conditioned system loses a few digits; n is some hundreds here.
+// One sparse solve of a well-conditioned system loses a few digits; n is some hundreds or thousands here.
 constexpr double kSolveTol = 1e-12;
 
-// The bounds 0 and 1 hold for exact arithmetic on the rounded matrix. Each of a value's few thousand
-// predecessors in the elimination adds at most one rounding.
+// Each value passes through some thousand operations between numbers of one sign, whatever the mesh.
 constexpr double kBoundTol = 1e-13;
 
 constexpr Diffusivity kDiffusivities[] = {Diffusivity::uniform, Diffusivity::inverse_distance,
                                           Diffusivity::inverse_area};
 
-std::vector<Index> boundary_vertices(const Mesh& mesh)
+double x_of(const Mesh& mesh, Index v)
 {
-    std::vector<Index> found;
-    for (const VertexHandle v : mesh.kernel.vertices())
-        if (mesh.kernel.is_boundary(v))
-            found.push_back(v.idx());
-    return found;
+    return points(mesh)(v, 0);
 }
 
-/// Hold the whole boundary at values(x, y), a function that returns a row of K; the edges of the named
-/// marker move.
+double y_of(const Mesh& mesh, Index v)
+{
+    return points(mesh)(v, 1);
+}
+
+/// Hold the whole boundary at values(x, y), a row of K; the edges of the named marker move.
 template <typename Values>
-HarmonicProblem held_boundary(const Mesh& mesh, Index columns, const Values& values,
-                              const std::string& moving = "")
+HarmonicProblem hold_boundary(const Mesh& mesh, const std::string& moving, const Values& values)
 {
     HarmonicProblem problem;
-    problem.held.vertices = boundary_vertices(mesh);
-    problem.held.values.resize(static_cast<Index>(problem.held.vertices.size()), columns);
+    for (const VertexHandle v : mesh.kernel.vertices())
+        if (mesh.kernel.is_boundary(v))
+            problem.held.vertices.push_back(v.idx());
+    problem.held.values.resize(static_cast<Index>(problem.held.vertices.size()), values(0.0, 0.0).cols());
     for (Index i = 0; i < problem.held.values.rows(); ++i) {
         const Index v = problem.held.vertices[static_cast<std::size_t>(i)];
-        problem.held.values.row(i) = values(points(mesh)(v, 0), points(mesh)(v, 1));
+        problem.held.values.row(i) = values(x_of(mesh, v), y_of(mesh, v));
     }
-    problem.moving_edges = moving.empty() ? mesh.markers.front().edges : marker(mesh, moving).edges;
+    problem.moving_edges = marker(mesh, moving).edges;
     return problem;
 }
 
@@ -57,51 +65,408 @@ Eigen::RowVector3d affine(double x, double y)
     return {1.0, 0.3 * x - 2 * y + 0.7, 5 * y - x};
 }
 
-void expect_affine_reproduced(const Mesh& mesh)
+/// Three functions not below zero that sum to 1.
+Eigen::RowVector3d partition(double x, double y)
 {
-    const Matrix h = harmonic_weights(mesh, held_boundary(mesh, 3, affine), Diffusivity::uniform);
-    Matrix exact(h.rows(), 3);
+    const double s = 0.5 + 0.5 * std::sin(3 * x), t = 0.5 + 0.5 * std::cos(2 * y);
+    return {s * t, s * (1 - t), 1 - s};
+}
+
+template <typename Function>
+double worst_error(const Mesh& mesh, const Matrix& h, const Function& exact)
+{
+    double worst = 0;
     for (Index v = 0; v < h.rows(); ++v)
-        exact.row(v) = affine(points(mesh)(v, 0), points(mesh)(v, 1));
-    EXPECT_LE((h - exact).norm(), kSolveTol * exact.norm());
+        worst = std::max(worst, std::abs(h(v, 0) - exact(x_of(mesh, v), y_of(mesh, v))));
+    return worst;
 }
 
-TEST(HarmonicWeights, ReproduceAnAffineFunctionOnTriangles)
+/// An annulus turned by an odd angle, its vertices shifted by a smooth map that is the same for every
+/// refinement and leaves both circles as they are.
+MeshData uneven_annulus(double inner, double outer, Index around)
 {
-    expect_affine_reproduced(build_mesh(test::uneven_square(20)));
+    MeshData data = test::annulus(inner, outer, around, around / 4);
+    for (Index v = 0; v < data.points.rows(); ++v) {
+        const double angle = std::atan2(data.points(v, 1), data.points(v, 0));
+        const double part = std::log(data.points.row(v).norm() / inner) / std::log(outer / inner);
+        const double bump = std::sin(pi * part);
+        const double radius = inner * std::pow(outer / inner, part + 0.1 * bump * std::cos(3 * angle));
+        const double turned = angle + 0.3 + 0.2 * bump * std::sin(2 * angle + 1);
+        data.points.row(v) << radius * std::cos(turned), radius * std::sin(turned), 0;
+    }
+    return data;
 }
 
-TEST(HarmonicWeights, ReproduceAnAffineFunctionOnQuads)
+constexpr double kInner = 0.5;
+constexpr double kOuter = 3;
+
+double one_inside(double x, double y)
 {
-    expect_affine_reproduced(build_mesh(test::quad_square(20)));
+    return std::hypot(x, y) < 0.5 * (kInner + kOuter) ? 1 : 0;
 }
 
-TEST(HarmonicWeights, KeepTheirBoundsForEveryDiffusivity)
+template <typename Function>
+double annulus_error(const MeshData& data, Diffusivity diffusivity, const Function& exact)
 {
-    const Mesh mesh = build_mesh(test::annulus(0.5, 3, 40, 20));
-    const auto on_inner = [](double x, double y) {
-        const double part = std::hypot(x, y) < 1 ? 0.5 + x : 0;
-        return Eigen::RowVector2d(part, std::hypot(x, y) < 1 ? 1 - part : 0);
-    };
-    for (const Diffusivity g : kDiffusivities) {
-        const Matrix h = harmonic_weights(mesh, held_boundary(mesh, 2, on_inner, "inner"), g);
-        EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), -kBoundTol);
-        EXPECT_LE(h.rowwise().sum().maxCoeff<Eigen::PropagateNaN>(), 1 + kBoundTol);
+    const Mesh mesh = build_mesh(data);
+    const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(one_inside(x, y)); };
+    const Matrix h = harmonic_weights(mesh, hold_boundary(mesh, "inner", values), diffusivity);
+    return worst_error(mesh, h, [&](double x, double y) { return exact(std::hypot(x, y)); });
+}
+
+/// The error falls with the square of the cell size over three refinements: 4 times each, at least 3.4.
+template <typename MakeMesh, typename Function>
+void expect_second_order(Diffusivity diffusivity, const MakeMesh& mesh, const Function& exact)
+{
+    double coarse = annulus_error(mesh(48), diffusivity, exact);
+    for (const Index around : {96, 192, 384}) {
+        const double fine = annulus_error(mesh(around), diffusivity, exact);
+        EXPECT_GT(coarse / fine, 3.4) << around << " around: " << fine;
+        coarse = fine;
     }
 }
 
-TEST(HarmonicWeights, RefuseAPartThatIsNotHeld)
+MeshData uneven(Index around)
 {
-    const Mesh mesh = build_mesh(test::uneven_square(4));
-    EXPECT_THROW(harmonic_weights(mesh, {}, Diffusivity::uniform), InputError);
+    return uneven_annulus(kInner, kOuter, around);
 }
 
-TEST(HarmonicWeights, RefuseASurfaceInSpace)
+TEST(HarmonicWeights, ConvergeToTheLogarithmInAnAnnulus)
+{
+    expect_second_order(Diffusivity::uniform, uneven,
+                        [](double r) { return std::log(kOuter / r) / std::log(kOuter / kInner); });
+}
+
+// With g = 1 / (r - R1) the equation is (r h' / (r - R1))' = 0, so h falls like r - R1 - R1 ln(r / R1).
+TEST(HarmonicWeights, ConvergeForInverseDistanceInAnAnnulus)
+{
+    const auto fallen = [](double r) { return r - kInner - kInner * std::log(r / kInner); };
+    expect_second_order(Diffusivity::inverse_distance, uneven,
+                        [&](double r) { return 1 - fallen(r) / fallen(kOuter); });
+}
+
+// The cells of this annulus have areas that grow as r^2: g = 1 / r^2 and r h' / r^2 is constant.
+TEST(HarmonicWeights, ConvergeForInverseAreaInAGradedAnnulus)
+{
+    const auto graded = [](Index around) { return test::annulus(kInner, kOuter, around, around / 4); };
+    expect_second_order(Diffusivity::inverse_area, graded, [](double r) {
+        return (kOuter * kOuter - r * r) / (kOuter * kOuter - kInner * kInner);
+    });
+}
+
+double mean_value_error(Index around)
+{
+    MeshData disc = uneven_annulus(0.02, 1, around);
+    const Index centre = static_cast<Index>(disc.points.rows());
+    disc.points.conservativeResize(centre + 1, 3);
+    disc.points.row(centre).setZero();
+    for (Index i = 0; i < around; ++i)
+        disc.elements.push_back({centre, i, (i + 1) % around, -1});
+    disc.markers.erase(disc.markers.begin());
+    const Mesh mesh = build_mesh(disc);
+    const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(std::exp(x) * x + y); };
+    const HarmonicProblem problem = hold_boundary(mesh, "outer", values);
+    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+    const auto& file = mesh.numbering.vertex;
+    const auto inside = std::find(file.begin(), file.end(), centre) - file.begin();
+    return std::abs(h(inside, 0) - problem.held.values.mean()); // the circle's vertices are evenly spaced
+}
+
+TEST(HarmonicWeights, AtTheCentreOfADiscAreTheMeanOnTheCircle)
+{
+    const double coarse = mean_value_error(24);
+    const double fine = mean_value_error(96);
+    EXPECT_LT(coarse, 0.02); // the values range from -0.4 to 2.7
+    EXPECT_LT(fine, coarse / 8);
+}
+
+class HarmonicWeightsOf : public testing::TestWithParam<MeshData (*)(Index)> {};
+
+TEST_P(HarmonicWeightsOf, ASquareReproduceAffineFunctions)
+{
+    const Mesh mesh = build_mesh(GetParam()(20));
+    const Matrix h = harmonic_weights(mesh, hold_boundary(mesh, "top", affine), Diffusivity::uniform);
+    Matrix exact(h.rows(), 3);
+    for (Index v = 0; v < h.rows(); ++v)
+        exact.row(v) = affine(x_of(mesh, v), y_of(mesh, v));
+    EXPECT_LE((h - exact).norm(), kSolveTol * exact.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, HarmonicWeightsOf,
+                         testing::Values(&test::uneven_square, &test::quad_square));
+
+class HarmonicWeightsFor : public testing::TestWithParam<Diffusivity> {
+protected:
+    Matrix solve(const Mesh& mesh, const HarmonicProblem& problem) const
+    {
+        return harmonic_weights(mesh, problem, GetParam());
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Diffusivities, HarmonicWeightsFor, testing::ValuesIn(kDiffusivities));
+
+TEST_P(HarmonicWeightsFor, EveryRealMeshKeepTheirBoundsAndSum)
+{
+    for (const std::string& path : test::real_meshes()) {
+        SCOPED_TRACE(path);
+        const Mesh mesh = read_mesh(path);
+        const Matrix h = solve(mesh, hold_boundary(mesh, mesh.markers.front().name, partition));
+        // Eliminating an M-matrix adds numbers of one sign only, so that rounding cannot go below zero.
+        EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
+        const auto sum = h.rowwise().sum().array();
+        EXPECT_LE((sum - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
+        EXPECT_LE(h.maxCoeff<Eigen::PropagateNaN>(), 1 + kBoundTol);
+    }
+}
+
+TEST_P(HarmonicWeightsFor, StretchedCellsKeepTheirBounds)
+{
+    MeshData data = test::uneven_square(30);
+    data.points.col(1) *= 1e-5;
+    const Mesh mesh = build_mesh(data);
+    const Matrix h = solve(mesh, hold_boundary(mesh, "bottom", partition));
+    EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
+    EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
+}
+
+TEST_P(HarmonicWeightsFor, DataThatAreCombinedAreCombined)
+{
+    const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
+    HarmonicProblem problem = hold_boundary(mesh, "inner", affine);
+    const Matrix h = solve(mesh, problem);
+    Eigen::Matrix<double, 3, 2> mix;
+    mix << 1, 2, -3, 4, 0.5, 0;
+    problem.held.values = (problem.held.values * mix).eval();
+    EXPECT_LE((solve(mesh, problem) - h * mix).norm(), kSolveTol * h.norm() * mix.norm());
+    problem.held.values.setZero();
+    EXPECT_EQ(solve(mesh, problem).norm(), 0);
+}
+
+TEST_P(HarmonicWeightsFor, AMeshInOtherUnitsOrElsewhereAreTheSame)
+{
+    const MeshData data = uneven_annulus(kInner, kOuter, 40);
+    const Mesh mesh = build_mesh(data);
+    HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    const Matrix h = solve(mesh, problem);
+    for (const double scale : {1e-8, 1e8}) {
+        Mesh scaled = mesh;
+        points(scaled) *= scale;
+        EXPECT_LE((solve(scaled, problem) - h).norm(), kSolveTol * h.norm()) << scale;
+    }
+    Mesh shifted = mesh;
+    points(shifted).leftCols<2>().array() += 7.0; // costs three bits of each coordinate
+    EXPECT_LE((solve(shifted, problem) - h).norm(), 10 * kSolveTol * h.norm());
+}
+
+TEST_P(HarmonicWeightsFor, TheFilesNumberingDoesNotMatter)
+{
+    const MeshData data = uneven_annulus(kInner, kOuter, 40);
+    std::vector<Index> number(static_cast<std::size_t>(data.points.rows()));
+    std::iota(number.begin(), number.end(), 0);
+    std::shuffle(number.begin(), number.end(), std::mt19937(3));
+    MeshData renumbered = data;
+    const auto renamed = [&](Index v) { return v < 0 ? v : number[static_cast<std::size_t>(v)]; };
+    for (Index v = 0; v < data.points.rows(); ++v)
+        renumbered.points.row(renamed(v)) = data.points.row(v);
+    for (Element& e : renumbered.elements)
+        std::transform(e.begin(), e.end(), e.begin(), renamed);
+    for (Marker& m : renumbered.markers)
+        for (auto& edge : m.edges)
+            std::transform(edge.begin(), edge.end(), edge.begin(), renamed);
+    std::reverse(renumbered.elements.begin(), renumbered.elements.end());
+
+    const auto by_file = [&](const MeshData& file) {
+        const Mesh mesh = build_mesh(file);
+        const Matrix h = solve(mesh, hold_boundary(mesh, "inner", partition));
+        Matrix sorted(h.rows(), h.cols());
+        for (Index v = 0; v < h.rows(); ++v)
+            sorted.row(mesh.numbering.vertex[static_cast<std::size_t>(v)]) = h.row(v);
+        return sorted;
+    };
+    const Matrix first = by_file(data), second = by_file(renumbered);
+    for (Index v = 0; v < first.rows(); ++v)
+        EXPECT_LE((first.row(v) - second.row(renamed(v))).norm(), kSolveTol);
+}
+
+TEST_P(HarmonicWeightsFor, AnyNumberOfThreadsAreTheSameBytes)
+{
+    const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 360)); // 32760 vertices: several tasks
+    const HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    set_thread_count(1);
+    const Matrix alone = solve(mesh, problem);
+    for (const int threads : {2, 3}) {
+        set_thread_count(threads);
+        EXPECT_EQ(solve(mesh, problem), alone) << threads << " threads";
+    }
+    set_thread_count(0);
+}
+
+TEST_P(HarmonicWeightsFor, ATangledMeshAreFiniteAndKeepTheirBounds)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> shift(-0.1, 0.1); // three cells
+    MeshData data = test::uneven_square(30);
+    for (Index v = 0; v < data.points.rows(); ++v)
+        data.points.row(v) += Eigen::RowVector3d(shift(random), shift(random), 0);
+    const Mesh mesh = build_mesh(data);
+    const Matrix h = solve(mesh, hold_boundary(mesh, "left", partition));
+    EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
+    EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
+}
+
+TEST_P(HarmonicWeightsFor, SliversOfNoAreaKeepTheirBounds)
+{
+    MeshData data = test::uneven_square(12);
+    for (Index i = 1; i < 12; ++i) { // a row of vertices all but on the one below, and one on it
+        data.points.row(5 * 13 + i) = data.points.row(4 * 13 + i);
+        data.points(5 * 13 + i, 1) += i == 6 ? 0 : 1e-12;
+    }
+    const Mesh mesh = build_mesh(data);
+    const Matrix h = solve(mesh, hold_boundary(mesh, "left", partition));
+    EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
+    EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
+}
+
+TEST_P(HarmonicWeightsFor, OneTriangleAreItsHeldValues)
+{
+    MeshData data;
+    data.points.resize(4, 3);
+    data.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 0; // the last in no element
+    data.elements = {{0, 1, 2, -1}};
+    data.markers = {{"all", {{0, 1}, {1, 2}, {2, 0}}}};
+    const Mesh mesh = build_mesh(data);
+    HarmonicProblem problem;
+    problem.moving_edges = mesh.markers[0].edges;
+    problem.held.vertices = marker_vertices(mesh.markers[0]);
+    problem.held.values = Matrix::Identity(3, 3);
+    const Matrix h = solve(mesh, problem);
+    for (Index i = 0; i < 3; ++i)
+        EXPECT_EQ(h.row(problem.held.vertices[static_cast<std::size_t>(i)]), problem.held.values.row(i));
+    EXPECT_EQ(h.sum(), 3); // the vertex of no element has 0
+}
+
+TEST(HarmonicWeights, AgreeWithEigensFactorisation)
+{
+    const Mesh mesh = read_mesh(test::data_path("meshes/rae2822_turb.su2")); // layers stretched 1e4 times
+    const HarmonicProblem problem = hold_boundary(mesh, mesh.markers.front().name, partition);
+    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+
+    Triangulation triangulation = triangulate(mesh);
+    make_delaunay(points(mesh), triangulation);
+    Eigen::SparseMatrix<double> K =
+        stiffness_matrix(vertex_count(mesh), stiffness_edges(points(mesh), triangulation));
+    Matrix B = Matrix::Zero(K.rows(), 3);
+    std::vector<bool> held(static_cast<std::size_t>(K.rows()));
+    for (Index i = 0; i < problem.held.values.rows(); ++i) {
+        const Index v = problem.held.vertices[static_cast<std::size_t>(i)];
+        held[static_cast<std::size_t>(v)] = true;
+        B.row(v) = problem.held.values.row(i);
+    }
+    const Matrix lifted = B - K * B; // at free vertices B is 0
+    for (Index v = 0; v < B.rows(); ++v)
+        if (!held[static_cast<std::size_t>(v)])
+            B.row(v) = lifted.row(v);
+    K.prune([&](Index i, Index j, double) {
+        return !held[static_cast<std::size_t>(i)] && !held[static_cast<std::size_t>(j)];
+    });
+    for (Index v = 0; v < B.rows(); ++v)
+        if (held[static_cast<std::size_t>(v)])
+            K.coeffRef(v, v) = 1;
+    const Matrix expected = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(K).solve(B);
+    EXPECT_LE((h - expected).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 1e-10);
+}
+
+/// Elements of naca0012_inv turned over when its airfoil turns about its centre by this angle.
+Index inverted_by_turning(double degrees, Diffusivity diffusivity)
+{
+    Mesh mesh = read_mesh(test::data_path("meshes/naca0012_inv.su2"));
+    const Eigen::Rotation2Dd turn(degrees * pi / 180);
+    const Eigen::Vector2d centre(0.5, 0);
+    HarmonicProblem problem = hold_boundary(mesh, "airfoil", [&](double x, double y) {
+        const Eigen::Vector2d from_centre = Eigen::Vector2d(x, y) - centre;
+        const Eigen::Vector2d moved = turn * from_centre - from_centre;
+        return Eigen::RowVector2d((from_centre.norm() < 2 ? 1 : 0) * moved.transpose());
+    });
+    points(mesh).leftCols<2>() += harmonic_weights(mesh, problem, diffusivity);
+    Index inverted = 0;
+    for (const auto& [a, b, c, none] : element_table(mesh))
+        inverted += (x_of(mesh, b) - x_of(mesh, a)) * (y_of(mesh, c) - y_of(mesh, a)) <=
+                    (y_of(mesh, b) - y_of(mesh, a)) * (x_of(mesh, c) - x_of(mesh, a));
+    return inverted;
+}
+
+TEST(HarmonicWeights, TurnAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
+{
+    EXPECT_EQ(inverted_by_turning(45, Diffusivity::uniform), 633);
+    EXPECT_EQ(inverted_by_turning(45, Diffusivity::inverse_distance), 0);
+    EXPECT_EQ(inverted_by_turning(5, Diffusivity::uniform), 11);
+    EXPECT_EQ(inverted_by_turning(5, Diffusivity::inverse_distance), 0);
+}
+
+/// Two squares that touch in one corner: the builder splits it.
+MeshData touching_squares()
+{
+    MeshData data = test::uneven_square(6);
+    const Index n = static_cast<Index>(data.points.rows());
+    const MeshData other = data;
+    data.points.conservativeResize(2 * n - 1, 3);
+    const auto renamed = [n](Index v) { return v < 0 ? v : v == 0 ? n - 1 : n - 1 + v; };
+    for (Index v = 1; v < n; ++v)
+        data.points.row(renamed(v)) = other.points.row(v) + Eigen::RowVector3d(1, 1, 0);
+    for (Element e : other.elements) {
+        std::transform(e.begin(), e.end(), e.begin(), renamed);
+        data.elements.push_back(e);
+    }
+    return data;
+}
+
+TEST(HarmonicWeights, OfCopiesOfASplitVertexAreOneUnknown)
+{
+    const Mesh mesh = build_mesh(touching_squares());
+    ASSERT_GT(vertex_count(mesh), mesh.numbering.file_vertices);
+    HarmonicProblem problem; // one held vertex: through the shared corner it holds both squares
+    problem.held.vertices = {0};
+    problem.held.values = Matrix::Constant(1, 1, 2.0);
+    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+    EXPECT_LE((h.array() - 2).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
+}
+
+TEST(HarmonicWeights, RefuseTwoValuesForTheCopiesOfAVertex)
+{
+    const Mesh mesh = build_mesh(touching_squares());
+    HarmonicProblem problem;
+    for (Index v = 0; v < vertex_count(mesh); ++v)
+        problem.held.vertices.push_back(v);
+    problem.held.values = Matrix::Ones(vertex_count(mesh), 1);
+    EXPECT_EQ(harmonic_weights(mesh, problem, Diffusivity::uniform), problem.held.values);
+    problem.held.values.col(0).setLinSpaced(0, 1);
+    EXPECT_THROW(harmonic_weights(mesh, problem, Diffusivity::uniform), InputError);
+}
+
+TEST(HarmonicWeights, RefuseAProblemThatMakesNoSense)
 {
     Mesh mesh = build_mesh(test::uneven_square(4));
-    const HarmonicProblem problem = held_boundary(mesh, 3, affine);
+    const HarmonicProblem good = hold_boundary(mesh, "top", affine);
+    const auto refuses = [&](const HarmonicProblem& problem, Diffusivity diffusivity) {
+        EXPECT_THROW(harmonic_weights(mesh, problem, diffusivity), InputError);
+    };
+    refuses({}, Diffusivity::uniform);
+    HarmonicProblem bad = good;
+    bad.held.vertices.back() = 25;
+    refuses(bad, Diffusivity::uniform);
+    bad = good;
+    bad.held.vertices.pop_back();
+    refuses(bad, Diffusivity::uniform);
+    bad = good;
+    bad.held.values(3, 1) = NAN;
+    refuses(bad, Diffusivity::uniform);
+    bad = good;
+    bad.moving_edges.push_back({0, -1});
+    refuses(bad, Diffusivity::inverse_distance);
+    bad.moving_edges.clear();
+    refuses(bad, Diffusivity::inverse_distance);
     mesh.dimension = 3;
-    EXPECT_THROW(harmonic_weights(mesh, problem, Diffusivity::uniform), InputError);
+    refuses(good, Diffusivity::uniform);
 }
 
 } // namespace
