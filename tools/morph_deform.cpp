@@ -52,7 +52,8 @@ void add_options(CommandLine& line, Options& options)
                    "Write the weights as nodal fields h_<boundary>_<i> on the undeformed mesh")
         ->type_name("W.vtu");
     app.add_option("--guard", options.guard,
-                   "check: count inverted elements and exit with 3 if there are any; none: do not look")
+                   "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
+                   "are any; none: do not look")
         ->check(CLI::IsMember({"none", "check"}));
     line.add_from(options.from);
     line.add_to(options.to);
@@ -104,8 +105,10 @@ void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, 
     fields.swap(mesh.fields);
 }
 
-void warn_of_inversion(const DeformResult& result)
+void warn_of_invalid_mesh(const DeformResult& result)
 {
+    for (const std::string& crossing : result.crossings)
+        warn(kTool, result.output + ": " + crossing + ": no valid mesh exists");
     if (result.before && result.before->inverted > 0)
         warn(kTool, "the mesh has " + std::to_string(result.before->inverted) +
                         " inverted elements before the move already");
@@ -127,6 +130,7 @@ void move_and_check(Mesh& mesh, const Weights& weights, const PlacedCase& placed
     for (std::size_t b = 0; b < placed.boundaries.size(); ++b)
         result.fits.push_back(boundary_fit(placed, b, before, points(mesh)));
     if (result.guard == "check") {
+        result.crossings = boundary_crossings(placed);
         result.before = quality_report(mesh, before);
         result.after = quality_report(mesh);
     }
@@ -173,8 +177,8 @@ int deform(int argc, char** argv)
     result.seconds.write += watch.lap();
     describe(result, placed, report);
     report.finish(outputs);
-    warn_of_inversion(result);
-    return result.after && result.after->inverted > 0 ? kInverted : kDone;
+    warn_of_invalid_mesh(result);
+    return is_valid(result) ? kDone : kInverted;
 }
 
 } // namespace

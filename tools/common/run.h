@@ -11,7 +11,7 @@ enum ExitStatus : int {
     kDone = 0,
     kFailed = 1,     ///< bad input or a failure; nothing was written
     kWrongUsage = 2, ///< the command line cannot be understood
-    kInverted = 3,   ///< done and written, but the resulting mesh has inverted elements
+    kInverted = 3,   ///< done and written, but the resulting mesh has inverted elements or crosses itself
 };
 
 /// The command line cannot be understood.

@@ -65,6 +65,11 @@ void describe_quality(const DeformResult& result, Report& report)
 
 } // namespace
 
+bool is_valid(const DeformResult& result)
+{
+    return result.crossings.empty() && !(result.after && result.after->inverted > 0);
+}
+
 void describe(const DeformResult& result, const PlacedCase& placed, Report& report)
 {
     ordered_json& json = report.json;
@@ -82,6 +87,7 @@ void describe(const DeformResult& result, const PlacedCase& placed, Report& repo
                        {"max", result.weights.max},
                        {"partition_error", result.weights.partition_error}};
     report.say(weights_line(result, placed));
+    json["boundary_crossings"] = result.crossings;
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);
     report.say("wrote " + result.output);

@@ -28,10 +28,14 @@ struct DeformResult {
     std::string output;
     WeightsCheck weights;
     std::vector<BoundaryFit> fits;       ///< one per boundary
+    std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
     std::optional<QualityReport> before; ///< without guard = "none"
     std::optional<QualityReport> after;
     StageSeconds seconds;
 };
+
+/// Whether the moved mesh can be used: no inverted element, no boundary across itself or another.
+bool is_valid(const DeformResult& result);
 
 /// Put the result into the report, as JSON and as a summary.
 void describe(const DeformResult& result, const PlacedCase& placed, Report& report);

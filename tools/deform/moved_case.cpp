@@ -1,7 +1,7 @@
 #include "tools/deform/moved_case.h"
 
-#include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/core/error.h"
+#include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/weights/harmonic_curves.h"
 #include "tools/common/report.h"
 
@@ -38,27 +38,23 @@ Points2 stacked_displacements(const CaseFile& file, Eigen::Index columns)
     return all;
 }
 
+std::string place_of(const CurveCrossing& crossing)
+{
+    return "(" + short_number(crossing.point.x()) + ", " + short_number(crossing.point.y()) + ")";
+}
+
 CurveBoundary placed_boundary(const Mesh& mesh, const CaseFile& file, const BoundaryEntry& entry)
 {
     const std::string place = file.path + ":" + std::to_string(entry.line) + ": ";
     const Curve curve(entry.curve);
     if (const auto crossing = find_self_crossing(curve))
-        throw InputError(place + "boundary '" + entry.name + "': the curve crosses itself near (" +
-                         short_number(crossing->point.x()) + ", " + short_number(crossing->point.y()) + ")");
+        throw InputError(place + "boundary '" + entry.name + "': the curve crosses itself near " +
+                         place_of(*crossing));
     try {
         return place_on_curve(mesh, entry.name, curve);
     } catch (const InputError& error) {
         throw InputError(place + error.what());
     }
-}
-
-void warn_of_crossings(const PlacedCase& placed, std::vector<std::string>& warnings)
-{
-    for (std::size_t b = 0; b < placed.boundaries.size(); ++b)
-        if (const auto crossing = find_self_crossing(moved_curve(placed, b)))
-            warnings.push_back("the moved curve of boundary '" + placed.boundaries[b].name +
-                               "' crosses itself near (" + short_number(crossing->point.x()) + ", " +
-                               short_number(crossing->point.y()) + "): no valid mesh exists");
 }
 
 } // namespace
@@ -123,8 +119,23 @@ std::vector<std::string> placement_warnings(const PlacedCase& placed)
     if (placed.conditions.unmarked > 0)
         warnings.push_back(std::to_string(placed.conditions.unmarked) +
                            " vertices of the boundary are in no marker; they are held fixed");
-    warn_of_crossings(placed, warnings);
     return warnings;
+}
+
+std::vector<std::string> boundary_crossings(const PlacedCase& placed)
+{
+    std::vector<std::string> found;
+    std::vector<Curve> moved;
+    for (std::size_t b = 0; b < placed.boundaries.size(); ++b) {
+        moved.push_back(moved_curve(placed, b));
+        const std::string who = "the moved boundary '" + placed.boundaries[b].name + "' crosses ";
+        if (const auto crossing = find_self_crossing(moved[b]))
+            found.push_back(who + "itself near " + place_of(*crossing));
+        for (std::size_t other = 0; other < b; ++other)
+            if (const auto crossing = find_crossing(moved[other], moved[b]))
+                found.push_back(who + "'" + placed.boundaries[other].name + "' near " + place_of(*crossing));
+    }
+    return found;
 }
 
 } // namespace morph::tools

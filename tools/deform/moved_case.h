@@ -34,7 +34,11 @@ BoundaryFit boundary_fit(const PlacedCase& placed, std::size_t b, const Eigen::R
                          const Eigen::Ref<const Points>& after);
 
 /// What a person should know before trusting the result: a marker far off its curve, vertices that no
-/// marker names, a moved curve that crosses itself.
+/// marker names.
 std::vector<std::string> placement_warnings(const PlacedCase& placed);
+
+/// Where moved boundaries cross themselves or each other, one sentence each. No valid mesh exists then:
+/// its elements may all be positive and still lie on top of each other.
+std::vector<std::string> boundary_crossings(const PlacedCase& placed);
 
 } // namespace morph::tools
