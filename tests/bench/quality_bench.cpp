@@ -1,0 +1,68 @@
+// The full quality report: time per mesh, against one pass of plain signed areas over the same elements.
+#include "libmorph/core/parallel.h"
+#include "libmorph/mesh/builder.h"
+#include "libmorph/quality/quality.h"
+#include "tests/bench/bench_meshes.h"
+
+#include <benchmark/benchmark.h>
+
+namespace morph::bench {
+namespace {
+
+const Mesh& mesh_of(Index vertices)
+{
+    static Mesh mesh;
+    static Index built = 0;
+    if (built != vertices) {
+        mesh = build_mesh(triangulated_square(vertices, Order::shuffled));
+        built = vertices;
+    }
+    return mesh;
+}
+
+void BM_QualityReport(benchmark::State& state)
+{
+    const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
+    set_thread_count(static_cast<int>(state.range(1)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(quality_report(mesh));
+    set_thread_count(0);
+    state.SetItemsProcessed(state.iterations() * element_count(mesh));
+}
+
+void BM_QualityReportWithReference(benchmark::State& state)
+{
+    const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(quality_report(mesh, points(mesh), points(mesh)));
+    state.SetItemsProcessed(state.iterations() * element_count(mesh));
+}
+
+/// The peer: only the signed areas, which is what a check that cannot see dented quads computes.
+void BM_SignedAreas(benchmark::State& state)
+{
+    const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
+    const auto position = points(mesh);
+    for (auto _ : state) {
+        double sum = 0;
+        for (Index f = 0; f < element_count(mesh); ++f) {
+            const Element e = element_corners(mesh, f);
+            sum += (position(e[1], 0) - position(e[0], 0)) * (position(e[2], 1) - position(e[0], 1)) -
+                   (position(e[1], 1) - position(e[0], 1)) * (position(e[2], 0) - position(e[0], 0));
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    state.SetItemsProcessed(state.iterations() * element_count(mesh));
+}
+
+// 500k vertices are one million triangles.
+BENCHMARK(BM_QualityReport)
+    ->Args({500000, 1})
+    ->Args({500000, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(BM_QualityReportWithReference)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_SignedAreas)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace morph::bench
