@@ -20,8 +20,6 @@ using namespace morph;
 using test::read_text;
 using test::TemporaryFolder;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 std::string message_of(const std::function<void()>& work)
 {

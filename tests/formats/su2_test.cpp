@@ -73,32 +73,29 @@ TEST(Su2, ReadsASquareOfTwoTriangles)
 TEST(Su2, ReadsTheSameSquareInEverySpellingFoundInTheWild)
 {
     const MeshData square = read_bytes(kSquare, "su2");
-    const std::string spellings[] = {
-        // tabs, Windows line ends, no blank behind '=', no ids, no line end at the end
-        "NDIME=2\r\nNELEM=2\r\n 5\t0\t1\t2\r\n5\t 0 2 3\t\r\nNPOIN=4\r\n0.0\t0\r\n1e0\t0\r\n+1 1.D0\r\n0 "
-        "1\r\n"
-        "NMARK=1\r\nMARKER_TAG=body\r\nMARKER_ELEMS=2\r\n3\t0\t1\t\r\n3\t1\t2",
-        // comments, empty lines, blanks before '=' and before keys
-        "% a square\n\n  NDIME = 2 % planar\n%\n\nNELEM\t= 2\n%\n5 0 1 2 0 % first\n\n5 0 2 3 1\n%\nNPOIN= "
-        "4%\n0 0 0\n"
-        "1 0 1\n\n% middle\n1 1 2\n0 1 3\nNMARK= 1\n%\nMARKER_TAG= body  % no part of the "
-        "name\n%\nMARKER_ELEMS= 2\n"
-        "3 0 1 % edge\n%\n3 1 2\n% end\n",
-        // vertices first, dimension last, two ids as parallel SU2 wrote them
-        "NMARK= 1\nMARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1 0\n3 1 2 1\nNPOIN= 4\n0 0 0 0\n1 0 1 10\n1 1 2 "
-        "20\n0 1 3 30\n"
-        "NELEM= 2\n5 0 1 2 0 0\n5 0 2 3 1 0\nNDIME= 2\n",
-        // z of a planar mesh as a number of its own, before the id, and one zone
-        "NZONE= 1\nNDIME= 2\nNPOIN= 4\n0 0 0.0 0\n1 0 0.0 1\n1 1 0.0 2\n0 1 0.0 3\nNELEM= 2\n5 0 1 2\n5 0 2 "
-        "3\nNMARK= 1\n"
-        "MARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1\n3 1 2\n",
-        // z of a planar mesh and no id
-        "NDIME= 2\nNPOIN= 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nNELEM= 2\n5 0 1 2\n5 0 2 3\nNMARK= 1\n"
-        "MARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1\n3 1 2\n",
-        // one marker in two blocks
+    std::vector<std::string> spellings;
+    // tabs, Windows line ends, no blank behind '=', no ids, no line end at the end
+    spellings.push_back("NDIME=2\r\nNELEM=2\r\n 5\t0\t1\t2\r\n5\t 0 2 3\t\r\nNPOIN=4\r\n0.0\t0\r\n1e0\t0\r\n"
+                        "+1 1.D0\r\n0 1\r\nNMARK=1\r\nMARKER_TAG=body\r\nMARKER_ELEMS=2\r\n3\t0\t1\t\r\n"
+                        "3\t1\t2");
+    // comments, empty lines, blanks before '=' and before keys
+    spellings.push_back("% a square\n\n  NDIME = 2 % planar\n%\n\nNELEM\t= 2\n%\n5 0 1 2 0 % first\n\n"
+                        "5 0 2 3 1\n%\nNPOIN= 4%\n0 0 0\n1 0 1\n\n% middle\n1 1 2\n0 1 3\nNMARK= 1\n%\n"
+                        "MARKER_TAG= body  % no part of the name\n%\nMARKER_ELEMS= 2\n3 0 1 % edge\n%\n"
+                        "3 1 2\n% end\n");
+    // vertices first, dimension last, two ids as parallel SU2 wrote them
+    spellings.push_back("NMARK= 1\nMARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1 0\n3 1 2 1\nNPOIN= 4\n0 0 0 0\n"
+                        "1 0 1 10\n1 1 2 20\n0 1 3 30\nNELEM= 2\n5 0 1 2 0 0\n5 0 2 3 1 0\nNDIME= 2\n");
+    // z of a planar mesh as a number of its own, before the id, and one zone
+    spellings.push_back("NZONE= 1\nNDIME= 2\nNPOIN= 4\n0 0 0.0 0\n1 0 0.0 1\n1 1 0.0 2\n0 1 0.0 3\nNELEM= 2\n"
+                        "5 0 1 2\n5 0 2 3\nNMARK= 1\nMARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1\n3 1 2\n");
+    // z of a planar mesh and no id
+    spellings.push_back("NDIME= 2\nNPOIN= 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nNELEM= 2\n5 0 1 2\n5 0 2 3\n"
+                        "NMARK= 1\nMARKER_TAG= body\nMARKER_ELEMS= 2\n3 0 1\n3 1 2\n");
+    // one marker in two blocks
+    spellings.push_back(
         "NDIME= 2\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNELEM= 2\n5 0 1 2\n5 0 2 3\nNMARK= 2\n"
-        "MARKER_TAG= body\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= body\nMARKER_ELEMS= 1\n3 1 2\n",
-    };
+        "MARKER_TAG= body\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= body\nMARKER_ELEMS= 1\n3 1 2\n");
     for (const std::string& text : spellings) {
         const MeshData mesh = read_bytes(text, "su2");
         EXPECT_EQ(difference(mesh, square), "") << text;
