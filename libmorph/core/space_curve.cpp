@@ -94,7 +94,7 @@ private:
                 static_cast<std::uint8_t>(way(inner_corner, (axis + inner_axis(place) + 1) % N))};
     }
 
-    std::array<std::array<Step, kCells>, N * kCells> steps_{};
+    std::array<std::array<Step, kCells>, std::size_t{N} * kCells> steps_{};
 };
 
 /// A cube around the points, cut into 2^bits cells a side. Halves are subtracted, because the whole

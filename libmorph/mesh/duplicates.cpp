@@ -4,6 +4,7 @@
 #include "libmorph/core/parallel.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace morph {
 
@@ -16,7 +17,10 @@ struct VertexSet {
     Element vertices;
     std::size_t element;
 
-    auto operator<=>(const VertexSet&) const = default;
+    bool operator<(const VertexSet& other) const
+    {
+        return std::tie(vertices, element) < std::tie(other.vertices, other.element);
+    }
 };
 
 VertexSet vertex_set(const Element& element, std::size_t number)
@@ -28,9 +32,9 @@ VertexSet vertex_set(const Element& element, std::size_t number)
 
 [[noreturn]] void throw_duplicate(const VertexSet& a, const VertexSet& b, const Numbering& numbering)
 {
-    std::vector<Index> ids;
-    for (int k = 0; k < corner_count(a.vertices); ++k)
-        ids.push_back(numbering.vertex[static_cast<std::size_t>(a.vertices[static_cast<std::size_t>(k)])]);
+    std::vector<Index> ids(a.vertices.begin(), a.vertices.begin() + corner_count(a.vertices));
+    for (Index& id : ids)
+        id = numbering.vertex[static_cast<std::size_t>(id)];
     std::sort(ids.begin(), ids.end());
     std::string vertices;
     for (const Index id : ids)
