@@ -224,11 +224,10 @@ std::array<Eigen::Vector2d, 4> Curve::derivatives(double u, int order) const
         const SpanValues N = basis_functions(knots_, span, p, u);
         for (std::size_t k = 0; k <= static_cast<std::size_t>(p); ++k)
             A[static_cast<std::size_t>(d)] += N[k] * local[k];
+        const auto after = knots_.begin() + span + 1;
         for (int k = 0; k < p; ++k) {
-            const auto low = static_cast<std::size_t>(span + 1 - p + k);
-            const double width = knots_[static_cast<std::size_t>(span + 1 + k)] - knots_[low];
             const auto at = static_cast<std::size_t>(k);
-            local[at] = p * (local[at + 1] - local[at]) / width;
+            local[at] = p * (local[at + 1] - local[at]) / (after[k] - after[k - p]);
         }
     }
     return project(A, order);

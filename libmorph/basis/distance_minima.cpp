@@ -18,6 +18,8 @@ constexpr double kSameParameter = 1e-9;
 // Halvings of a piece after which several roots in one interval count as one.
 constexpr int kMaxDepth = 30;
 
+constexpr std::size_t kMaxCoefficients = std::size_t{3} * kMaxDegree; // of a rational piece
+
 using Polynomial = std::vector<double>; // Bernstein coefficients over [0, 1]
 
 double binomial(std::size_t n, std::size_t k)
@@ -96,7 +98,7 @@ Signs signs_of(std::span<const double> coefficients)
 /// Value and derivative of a polynomial in Bernstein form.
 std::array<double, 2> evaluate(std::span<const double> coefficients, double t)
 {
-    std::array<double, 3 * kMaxDegree> c{};
+    std::array<double, kMaxCoefficients> c{};
     std::copy(coefficients.begin(), coefficients.end(), c.begin());
     const std::size_t degree = coefficients.size() - 1;
     for (std::size_t level = degree; level > 1; --level)
@@ -147,7 +149,7 @@ void find_rising_roots(std::span<double> coefficients, double begin, double end,
         roots.push_back(begin + rising_root(coefficients) * (end - begin));
         return;
     }
-    std::array<double, 3 * kMaxDegree> left{};
+    std::array<double, kMaxCoefficients> left{};
     const std::span<double> left_part = std::span(left).first(coefficients.size());
     split_in_half(coefficients, left_part);
     const double middle = 0.5 * (begin + end);

@@ -36,7 +36,7 @@ public:
     double size() const { return size_; }
 
 private:
-    static constexpr std::size_t kMaxCoefficients = 3 * kMaxDegree;
+    static constexpr std::size_t kMaxCoefficients = std::size_t{3} * kMaxDegree;
     using Coefficients = std::array<double, kMaxCoefficients>;
 
     /// Coefficient i of (C - q) . C' on one piece is constant[i] - q . slope[i].

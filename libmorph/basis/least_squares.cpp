@@ -43,7 +43,7 @@ StepProblem make_problem(const Curve& curve, const Points2& points, const std::v
     StepProblem problem{{}, Eigen::VectorXd(2 * points.rows())};
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * u.size() * (static_cast<std::size_t>(curve.degree()) + 1));
-    for (Index i = 0; i < std::ssize(u); ++i) {
+    for (Eigen::Index i = 0; i < std::ssize(u); ++i) {
         const double at = u[static_cast<std::size_t>(i)];
         const auto d = curve.derivatives(at, 1);
         Eigen::Matrix2d frame = local_frame(d[1]);
@@ -54,9 +54,10 @@ StepProblem make_problem(const Curve& curve, const Points2& points, const std::v
             if (const Index free = column[static_cast<std::size_t>(basis.control[k])]; free != kFixed)
                 for (const int row : {0, 1})
                     for (const int axis : {0, 1})
-                        entries.emplace_back(2 * i + row, 2 * free + axis, basis.value[k] * frame(row, axis));
+                        entries.emplace_back(static_cast<int>(2 * i) + row, 2 * free + axis,
+                                             basis.value[k] * frame(row, axis));
     }
-    const Index free_count = *std::max_element(column.begin(), column.end()) + 1;
+    const Eigen::Index free_count = *std::max_element(column.begin(), column.end()) + 1;
     problem.matrix.resize(2 * points.rows(), 2 * free_count);
     problem.matrix.setFromTriplets(entries.begin(), entries.end());
     return problem;
@@ -106,7 +107,8 @@ Points2 fitting_step(const Curve& curve, const Points2& points, const std::vecto
         solve(make_problem(curve.with_control_points(control), points, u, column, tangential));
     for (std::size_t k = 0; k < column.size(); ++k)
         if (column[k] != kFixed)
-            control.row(static_cast<Eigen::Index>(k)) += step.segment<2>(2 * column[k]).transpose();
+            control.row(static_cast<Eigen::Index>(k)) +=
+                step.segment<2>(Eigen::Index{2} * column[k]).transpose();
     return control;
 }
 

@@ -102,11 +102,11 @@ Found meet(const Arc& a, const Arc& b, double straight, int depth)
         return chords_meet(a, b) ? Found(place_of(a, b)) : Found();
     if (bend_a > bend_b) {
         for (const Arc& half : a.halves())
-            if (const Found found = meet(half, b, straight, depth + 1))
+            if (Found found = meet(half, b, straight, depth + 1))
                 return found;
     } else {
         for (const Arc& half : b.halves())
-            if (const Found found = meet(a, half, straight, depth + 1))
+            if (Found found = meet(a, half, straight, depth + 1))
                 return found;
     }
     return {};
@@ -126,7 +126,7 @@ Found meet_again(const Arc& a, const Arc& b, double straight, int depth)
     const std::array<Arc, 2> A = a.halves();
     const std::array<Arc, 2> B = b.halves();
     for (const auto& [i, j] : {std::pair(0U, 0U), std::pair(0U, 1U), std::pair(1U, 1U)})
-        if (const Found found = meet(A[i], B[j], straight, depth + 1))
+        if (Found found = meet(A[i], B[j], straight, depth + 1))
             return found;
     return meet_again(A[1], B[0], straight, depth + 1);
 }
@@ -138,6 +138,7 @@ Found sweep(const std::vector<Arc>& arcs, const std::vector<Arc>& others, const 
 {
     const auto low_ends = [](const std::vector<Arc>& list) {
         std::vector<std::array<double, 2>> ranges;
+        ranges.reserve(list.size());
         for (const Arc& arc : list)
             ranges.push_back(extent(arc, {1, 0}));
         return ranges;
@@ -157,7 +158,7 @@ Found sweep(const std::vector<Arc>& arcs, const std::vector<Arc>& others, const 
                                   [&](std::size_t k, double x) { return other_ranges[k][0] < x; });
         for (; j != order.end() && other_ranges[*j][0] <= ranges[i][1]; ++j)
             if (other_ranges[*j][1] >= ranges[i][0])
-                if (const Found found = visit(i, *j))
+                if (Found found = visit(i, *j))
                     return found;
     }
     return {};

@@ -45,6 +45,7 @@ CurveDefinition spiral(double gap)
         const double radius = 0.2 + 0.8 * i / steps + side * gap / 2;
         return Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle));
     };
+    points.reserve(2 * (steps + 1));
     for (int i = 0; i <= steps; ++i)
         points.push_back(at(i, -1));
     for (int i = steps; i >= 0; --i)
