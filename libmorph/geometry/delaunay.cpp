@@ -191,7 +191,7 @@ private:
         replace(beyond_ca, {a, c}, t, s);
     }
 
-    /// Triangle @p in has @p now, no longer @p before_, across its edge from edge[0] to edge[1].
+    /// Triangle @p in has @p now, no longer @p was, across its edge from edge[0] to edge[1].
     void replace(Index in, std::array<Index, 2> edge, Index was, Index now)
     {
         if (in < 0)
@@ -229,6 +229,7 @@ void cut_along(Triangulation& triangulation, const std::vector<std::array<Index,
     if (edges.empty())
         return;
     std::vector<std::array<Index, 2>> sorted;
+    sorted.reserve(edges.size());
     for (const auto& [a, b] : edges)
         sorted.push_back({std::min(a, b), std::max(a, b)});
     std::sort(sorted.begin(), sorted.end());

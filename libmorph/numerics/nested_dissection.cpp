@@ -15,7 +15,7 @@ constexpr Index kSamples = 1024;       // points that the median of a large set 
 constexpr Index kLeastPart = 8;        // a side must have this part of its set: the recursion stays shallow
 constexpr Index kSmallestTask = 10000; // sets of fewer rows are not worth a thread
 
-enum Side : char { left = 0, right = 1, eliminated = 2 };
+enum Side : unsigned char { left = 0, right = 1, eliminated = 2 };
 
 /// Points with x nx + y ny < at are on the left.
 struct Cut {
@@ -180,7 +180,7 @@ private:
         std::array<Index, 2> size{}, seeing{};
         for (Index i = begin; i < end; ++i) {
             const Index v = row(i);
-            const char side = side_[static_cast<std::size_t>(v)];
+            const Side side = side_[static_cast<std::size_t>(v)];
             ++size[static_cast<std::size_t>(side)];
             if (sees(v, side == left ? right : left))
                 ++seeing[static_cast<std::size_t>(side)];
@@ -210,7 +210,7 @@ private:
 
     const SymmetricMatrix& A_;
     const Points2& where_;
-    std::vector<char> side_;
+    std::vector<Side> side_;
     Dissection result_;
 };
 

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <thread>
 
+// LAPACK's name, not ours. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
 
 namespace morph {

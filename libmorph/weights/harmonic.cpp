@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // edges a thread takes at a time
+constexpr std::size_t kGrain = 8192; // edges or vertices a thread takes at a time
 
 // No distance or root of an area counts as less than this part of an edge's length: a vertex that lies on a
 // moving edge in a tangled mesh must not make g infinite. Boundary layers stay far above it.
@@ -92,19 +92,34 @@ double edge_length(const Eigen::Ref<const Points>& x, const WeightedEdge& e)
     return std::hypot(x(e.a, 0) - x(e.b, 0), x(e.a, 1) - x(e.b, 1));
 }
 
-void divide_by_distance(const Eigen::Ref<const Points>& x, const HarmonicProblem& problem,
-                        std::vector<WeightedEdge>& edges)
+/// Divide each weight by the mean of a length or an area at the two ends.
+template <typename Least>
+void divide_by_mean(const std::vector<double>& size, const Least& least, std::vector<WeightedEdge>& edges)
 {
-    const SegmentTree tree(x, problem.moving_edges);
     parallel_for(edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        SegmentTree::Nearest nearest;
         for (std::size_t i = begin; i < end; ++i) {
             WeightedEdge& e = edges[i];
-            nearest =
-                tree.nearest(0.5 * (x(e.a, 0) + x(e.b, 0)), 0.5 * (x(e.a, 1) + x(e.b, 1)), nearest.segment);
-            e.weight /= std::max(nearest.distance, kLeast * edge_length(x, e));
+            const double mean =
+                0.5 * (size[static_cast<std::size_t>(e.a)] + size[static_cast<std::size_t>(e.b)]);
+            e.weight /= std::max(mean, least(e));
         }
     });
+}
+
+/// Distance of each vertex to the nearest moving edge.
+std::vector<double> distances(const Mesh& mesh, const std::vector<std::array<Index, 2>>& moving_edges)
+{
+    const SegmentTree tree(points(mesh), moving_edges);
+    std::vector<double> distance(static_cast<std::size_t>(vertex_count(mesh)));
+    parallel_for(distance.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        SegmentTree::Nearest nearest; // neighbours in the numbering are neighbours in the plane
+        for (std::size_t v = begin; v < end; ++v) {
+            const auto at = points(mesh).row(static_cast<Index>(v));
+            nearest = tree.nearest(at[0], at[1], nearest.segment);
+            distance[v] = nearest.distance;
+        }
+    });
+    return distance;
 }
 
 /// Mean area of the elements around each vertex.
@@ -130,21 +145,6 @@ std::vector<double> mean_areas(const Mesh& mesh)
     return area;
 }
 
-void divide_by_area(const Mesh& mesh, std::vector<WeightedEdge>& edges)
-{
-    const auto x = points(mesh);
-    const std::vector<double> area = mean_areas(mesh);
-    parallel_for(edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            WeightedEdge& e = edges[i];
-            const double least = kLeast * edge_length(x, e);
-            const double mean =
-                0.5 * (area[static_cast<std::size_t>(e.a)] + area[static_cast<std::size_t>(e.b)]);
-            e.weight /= std::max(mean, least * least);
-        }
-    });
-}
-
 std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HarmonicProblem& problem,
                                          Diffusivity diffusivity)
 {
@@ -152,10 +152,13 @@ std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HarmonicProblem
     cut_along(triangulation, problem.walls);
     make_delaunay(points(mesh), triangulation);
     std::vector<WeightedEdge> edges = stiffness_edges(points(mesh), triangulation);
+    const auto x = points(mesh);
+    const auto least = [&x](const WeightedEdge& e) { return kLeast * edge_length(x, e); };
     if (diffusivity == Diffusivity::inverse_distance)
-        divide_by_distance(points(mesh), problem, edges);
+        divide_by_mean(distances(mesh, problem.moving_edges), least, edges);
     if (diffusivity == Diffusivity::inverse_area)
-        divide_by_area(mesh, edges);
+        divide_by_mean(
+            mean_areas(mesh), [&](const WeightedEdge& e) { return least(e) * least(e); }, edges);
     return edges;
 }
 

@@ -30,8 +30,8 @@ struct HarmonicProblem {
 /// two. No edge weight is negative there, so that every column keeps the bounds of its held values on
 /// every mesh: 0 <= h <= 1 when those are in [0, 1]. To keep that, g is a coefficient of the *edges*,
 /// taken at their midpoints (finite volumes on the Voronoi cells); one for each triangle would bring
-/// negative weights back. With inverse_area it is 1 / the mean of the two ends' mean areas of the
-/// original elements around them.
+/// negative weights back. There it is 1 / the mean over the edge's two ends of the distance, or of the
+/// mean area of the mesh's elements around the end.
 ///
 /// Copies of a split vertex are one unknown. A vertex of no element gets 0. Scaling or shifting the mesh
 /// changes the result by round-off only, and the number of threads not at all.
