@@ -66,10 +66,10 @@ std::string LegacyVtkScanner::header()
     text_.skip_line(); // the title
     const std::string coding = keyword();
     if (coding != "ASCII" && coding != "BINARY")
-        fail("expected ASCII or BINARY, found '" + coding.substr(0, 20) + "'");
+        fail_expected("ASCII or BINARY");
     binary_ = coding == "BINARY";
-    if (const std::string word = keyword(); word != "DATASET")
-        fail("expected DATASET, found " + text_.found());
+    if (keyword() != "DATASET")
+        fail_expected("DATASET");
     return capitals(text_.word("a kind of data set such as UNSTRUCTURED_GRID"));
 }
 
@@ -78,6 +78,12 @@ std::string LegacyVtkScanner::keyword()
     const bool more = text_.skip_white();
     before_keyword_ = text_.position();
     return more ? capitals(text_.word("a keyword")) : std::string();
+}
+
+void LegacyVtkScanner::fail_expected(std::string_view what)
+{
+    put_back();
+    text_.fail_expected(what);
 }
 
 void LegacyVtkScanner::skip_lookup_table_line()
@@ -129,7 +135,7 @@ NumberArray LegacyVtkScanner::numbers(const std::string& type, std::size_t count
 {
     const auto known = legacy_type(type);
     if (!known)
-        fail("numbers of the type '" + type.substr(0, 20) + "' are not supported");
+        fail("the type of the numbers is not one of those supported, such as double, float, int and long");
     if (binary_) {
         text_.skip_line();
         return {*known, bytes(count, size_of(*known)), std::endian::native == std::endian::little};

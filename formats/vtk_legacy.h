@@ -47,6 +47,8 @@ public:
     int major_version() const { return major_version_; }
     bool binary() const { return binary_; }
     [[noreturn]] void fail(const std::string& what) const { text_.fail_at(before_keyword_, what); }
+    /// @throws InputError  "expected @p what, found" the word that keyword() returned last
+    [[noreturn]] void fail_expected(std::string_view what);
 
 private:
     std::string_view bytes(std::size_t count, std::size_t size);

@@ -32,8 +32,7 @@ public:
     {
         const std::string kind = in_.header();
         if (kind != "UNSTRUCTURED_GRID" && kind != "POLYDATA")
-            in_.fail("the data set is of the kind " + kind.substr(0, 30) +
-                     ", but only UNSTRUCTURED_GRID and POLYDATA are supported");
+            in_.fail("only data sets of the kinds UNSTRUCTURED_GRID and POLYDATA are supported");
         for (std::string word = in_.keyword(); !word.empty(); word = in_.keyword())
             block(word);
         join_poly_lists();
@@ -62,8 +61,7 @@ private:
         else if (word == "CELL_DATA")
             begin_data(FieldLocation::element);
         else if (!poly_list(word) && !attribute(word))
-            in_.fail("'" + word.substr(0, 30) +
-                     "' is no keyword of a legacy VTK file; is a count above it wrong?");
+            in_.fail_expected("a keyword of a legacy VTK file (is a count above it wrong?)");
     }
 
     void use_cells(CellList list)
@@ -103,8 +101,8 @@ private:
 
     NumberArray array_after(const std::string& wanted, std::size_t count)
     {
-        if (const std::string word = in_.keyword(); word != wanted)
-            in_.fail("expected " + wanted + ", found '" + word.substr(0, 30) + "'");
+        if (in_.keyword() != wanted)
+            in_.fail_expected(wanted);
         return in_.numbers(in_.type_word(), count);
     }
 
