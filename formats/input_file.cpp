@@ -57,6 +57,8 @@ InputFile::InputFile(const std::string& path)
         fail(path, errno);
     if (S_ISDIR(info.st_mode))
         fail(path, EISDIR);
+    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode))
+        throw InputError(path + ": cannot be read: it is a device, which may never end");
     if (!S_ISREG(info.st_mode)) {
         stream_ = read_stream(file.number, path);
         bytes_ = stream_;

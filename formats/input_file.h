@@ -8,7 +8,7 @@ namespace morph {
 /// The bytes of a file, mapped into memory for as long as this lives.
 class InputFile {
 public:
-    /// @throws InputError  the file does not exist, is a folder, or cannot be read
+    /// @throws InputError  the file does not exist, is a folder or a device, or cannot be read
     explicit InputFile(const std::string& path);
     ~InputFile();
     InputFile(const InputFile&) = delete;

@@ -141,11 +141,10 @@ void read_output_section(const TomlTable& root, CaseFile& file)
         file.output_mesh = beside(file.path, *name);
 }
 
-toml::table parse(const std::string& path)
+toml::table parse(std::string_view bytes, const std::string& path)
 {
-    const InputFile file(path);
     try {
-        return toml::parse(file.bytes(), path);
+        return toml::parse(bytes, path);
     } catch (const toml::parse_error& error) {
         throw InputError(path + ":" + std::to_string(error.source().begin.line) + ": " +
                          std::string(error.description()));
@@ -156,7 +155,13 @@ toml::table parse(const std::string& path)
 
 CaseFile read_case_file(const std::string& path)
 {
-    const toml::table document = parse(path);
+    const InputFile file(path);
+    return parse_case_file(file.bytes(), path);
+}
+
+CaseFile parse_case_file(std::string_view bytes, const std::string& path)
+{
+    const toml::table document = parse(bytes, path);
     const TomlTable root(document, path, "the case file");
     root.require_known({"mesh", "boundary", "deform", "output"});
     CaseFile file;

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace morph::tools {
@@ -39,5 +40,8 @@ struct CaseFile {
 
 /// @throws InputError  "case.toml:12: what is wrong"; unknown keys name the nearest known one
 CaseFile read_case_file(const std::string& path);
+
+/// As read_case_file(), from bytes in memory; paths in it are relative to the folder of @p path.
+CaseFile parse_case_file(std::string_view bytes, const std::string& path);
 
 } // namespace morph::tools
