@@ -6,7 +6,7 @@ namespace morph {
 
 int dimension_of(const Points& points)
 {
-    return (points.col(2).array() == 0).all() ? 2 : 3;
+    return points.rows() == 0 || (points.col(2).array() == 0).all() ? 2 : 3;
 }
 
 void set_points(MeshData& mesh, const std::vector<double>& xyz)

@@ -45,13 +45,15 @@ inline Index element_count(const Mesh& mesh)
 /// The coordinates of the kernel as an n x 3 matrix; writing to it moves the mesh.
 inline Eigen::Map<Points> points(Mesh& mesh)
 {
-    return {const_cast<double*>(mesh.kernel.points()->data()), vertex_count(mesh), 3};
+    const Index n = vertex_count(mesh); // the kernel of an empty mesh has no first point
+    return {n == 0 ? nullptr : const_cast<double*>(mesh.kernel.points()->data()), n, 3};
 }
 
 /// The coordinates of the kernel as an n x 3 matrix.
 inline Eigen::Map<const Points> points(const Mesh& mesh)
 {
-    return {mesh.kernel.points()->data(), vertex_count(mesh), 3};
+    const Index n = vertex_count(mesh);
+    return {n == 0 ? nullptr : mesh.kernel.points()->data(), n, 3};
 }
 
 /// Corners of face @p face in order, the first as in the file.
