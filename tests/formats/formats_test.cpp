@@ -1,5 +1,6 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/mesh_data_compare.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
@@ -8,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
 #include <set>
 #include <thread>
 
@@ -18,20 +18,11 @@ namespace {
 
 using namespace morph;
 using test::difference;
+using test::message_of;
 using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::string message_of(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
 
 TEST(Formats, EveryFormatIsFoundByItsNameAndEachOfItsExtensions)
 {

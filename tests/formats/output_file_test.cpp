@@ -1,6 +1,7 @@
 #include "formats/number_text.h"
 #include "formats/output_file.h"
 #include "libmorph/core/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/process.h"
 
 #include <gmock/gmock.h>
@@ -10,26 +11,16 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <random>
 
 namespace {
 
 using namespace morph;
+using test::message_of;
 using test::read_text;
 using test::TemporaryFolder;
 using testing::ElementsAre;
-
-std::string message_of(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
 
 TEST(OutputFile, AppearsWhenCommittedAndNotBefore)
 {

@@ -1,5 +1,6 @@
 #include "formats/text_scanner.h"
 #include "libmorph/core/error.h"
+#include "tests/support/errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,24 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <random>
 
 namespace {
 
 using namespace morph;
+using test::message_of;
 using testing::HasSubstr;
-
-std::string message_of(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
 
 double real_of(const std::string& text)
 {

@@ -9,7 +9,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     try {
-        const morph::CsvTable table = morph::parse_csv_table({reinterpret_cast<const char*>(bytes), size}, "fuzz.csv");
+        const morph::CsvTable table =
+            morph::parse_csv_table({reinterpret_cast<const char*>(bytes), size}, "fuzz.csv");
         if (!table.rows.allFinite())
             std::abort();
     } catch (const morph::InputError&) { // what broken files deserve
