@@ -308,7 +308,7 @@ TEST(Ply, RefusesBrokenBytesWithTheirPlace)
     EXPECT_EQ(refusal(broken, "ply"),
               "file: byte " + std::to_string(data + 8) + ": a coordinate of vertex 0 is not finite");
     broken = ply;
-    broken[data + 6 * 24] = '\x7f';
+    broken[data + std::size_t{6} * 24] = '\x7f';
     EXPECT_THAT(refusal(broken, "ply"),
                 HasSubstr("a list of the property 'vertex_indices' has an impossible length"));
 }

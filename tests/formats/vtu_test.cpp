@@ -178,7 +178,7 @@ TEST(Vtu, RefusesBrokenMarkerNames)
 TEST(Vtu, RefusesBrokenAppendedData)
 {
     const std::string vtu = written(test::quad_square(1), "vtu");
-    const std::size_t data = vtu.find("_", vtu.find("<AppendedData")) + 1;
+    const std::size_t data = vtu.find('_', vtu.find("<AppendedData")) + 1;
     EXPECT_THAT(refusal(vtu.substr(0, data + 40), "vtu"),
                 HasSubstr("array 'Points' needs 104 bytes, but only 12 are left in the file"));
     EXPECT_THAT(refusal(replaced(vtu, "offset=\"0\"", "offset=\"999999\""), "vtu"),
