@@ -70,7 +70,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(followed(
 OutputFile::~OutputFile()
 {
     if (descriptor_ >= 0)
-        close(descriptor_);
+        ::close(descriptor_);
     if (!committed_ && !temporary_.empty())
         unlink(temporary_.c_str());
 }
@@ -103,15 +103,22 @@ void OutputFile::write_all(std::string_view bytes)
     }
 }
 
-void OutputFile::commit()
+void OutputFile::close()
 {
+    if (descriptor_ < 0)
+        return;
     flush();
     if (!temporary_.empty() && fchmod(descriptor_, wanted_mode(target_)) != 0)
         fail(errno);
-    const int closed = close(descriptor_);
+    const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0)
         fail(errno);
+}
+
+void OutputFile::commit()
+{
+    close();
     if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
         fail(errno);
     committed_ = true;

@@ -27,8 +27,12 @@ public:
     /// Take the bytes from room() up to @p end.
     void advance_to(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.data()); }
 
-    /// Flush and rename into place. A file that was there before keeps its permissions.
-    /// @throws InputError  the bytes could not be written, or the name not be taken
+    /// Write out what is left and close, so that only the name is missing.
+    /// @throws InputError  the bytes could not be written
+    void close();
+
+    /// close(), and rename into place. A file that was there before keeps its permissions.
+    /// @throws InputError  as close(), or the name could not be taken
     void commit();
 
     const std::string& path() const { return path_; }

@@ -263,6 +263,7 @@ TEST_F(MorphDeform, RefusesBadCallsInOneLineAndLeavesNothing)
         {"folder as output", {"-o", "@"}, 1, ""},
         {"full disk", {"-o", "/dev/full", "--to", "su2"}, 1, "No space left on device"},
         {"report in no folder", {"-o", "@/m.su2", "--json", "@/none/r.json"}, 1, "cannot be written"},
+        {"report on a full disk", {"-o", "@/m.su2", "--json", "/dev/full"}, 1, "No space left on device"},
         {"weights in no folder", {"-o", "@/m.su2", "--save-weights", "@/none/w.vtu"}, 1, "cannot be written"},
         {"missing weights", {"-o", "@/m.su2", "--weights", "@/none.vtu"}, 1, "none.vtu: cannot be read"},
         {"broken weights", {"-o", "@/m.su2", "--weights", "@/other.vtu"}, 1, "other.vtu"},

@@ -14,6 +14,8 @@ OutputFile& Outputs::open(const std::string& path)
 
 void Outputs::commit()
 {
+    for (const auto& file : files_) // a full disk shows here, before any file has its name
+        file->close();
     for (const auto& file : files_)
         file->commit();
     files_.clear();
