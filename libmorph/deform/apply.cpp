@@ -3,24 +3,61 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 
+#include <array>
+
 namespace morph {
 
 namespace {
 
 constexpr std::size_t kRowsPerBlock = 16384;
+constexpr std::size_t kTogether = 4; ///< rows
+constexpr std::size_t kAhead = 24;   ///< rows: long enough for memory to answer
+
+/// Ask for `kTogether` rows from row @p first on, before they are needed: what the processor fetches by
+/// itself reaches two thirds of the bandwidth that this does. Always inline, because GCC takes a function
+/// that only prefetches for one without effect and drops the call.
+[[gnu::always_inline]] inline void prefetch_rows(const Matrix& W, const Eigen::Map<Points>& X,
+                                                 std::size_t first)
+{
+    constexpr std::size_t kLine = 64 / sizeof(double);
+    const auto columns = static_cast<std::size_t>(W.cols());
+    for (std::size_t k = 0; k < kTogether * columns; k += kLine)
+        __builtin_prefetch(W.data() + first * columns + k);
+    for (std::size_t k = 0; k < kTogether * 3; k += kLine)
+        __builtin_prefetch(X.data() + first * 3 + k, 1);
+}
+
+/// Move `rows` rows from row @p first on. Several rows at a time keep several sums going, where one alone
+/// would wait for each of its additions; the order of the sum in a row is the same either way.
+template <int components, std::size_t rows>
+void move_some(const Matrix& W, const Matrix& D, Eigen::Map<Points>& X, std::size_t first)
+{
+    using Row = Eigen::Matrix<double, 1, components>;
+    const auto columns = static_cast<std::size_t>(W.cols());
+    const double* weight = W.data() + first * columns;
+    std::array<Row, rows> move;
+    move.fill(Row::Zero());
+    for (std::size_t k = 0; k < columns; ++k) {
+        const Row d = Eigen::Map<const Row>(D.data() + k * components);
+        for (std::size_t r = 0; r < rows; ++r)
+            move[r] += weight[r * columns + k] * d;
+    }
+    for (std::size_t r = 0; r < rows; ++r)
+        Eigen::Map<Row>(X.data() + 3 * (first + r)) += move[r];
+}
 
 template <int components>
 void move_rows(const Matrix& W, const Matrix& D, Eigen::Map<Points>& X, std::size_t begin, std::size_t end)
 {
-    using Row = Eigen::Matrix<double, 1, components>;
-    const auto columns = static_cast<std::size_t>(W.cols());
-    for (std::size_t i = begin; i < end; ++i) {
-        const double* weight = W.data() + i * columns;
-        Row move = Row::Zero();
-        for (std::size_t k = 0; k < columns; ++k)
-            move += weight[k] * Eigen::Map<const Row>(D.data() + k * components);
-        Eigen::Map<Row>(X.data() + 3 * i) += move;
+    const auto last = static_cast<std::size_t>(W.rows());
+    std::size_t i = begin;
+    for (; i + kTogether <= end; i += kTogether) {
+        if (i + kAhead + kTogether <= last)
+            prefetch_rows(W, X, i + kAhead);
+        move_some<components, kTogether>(W, D, X, i);
     }
+    for (; i < end; ++i)
+        move_some<components, 1>(W, D, X, i);
 }
 
 void require_fit(const Matrix& W, const Matrix& D, Eigen::Index points)
