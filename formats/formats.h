@@ -24,8 +24,8 @@ std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, c
                                     const WriteOptions& options = {});
 
 /// As write_mesh_data(), into a file that the caller commits, so that several files appear together.
-std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file, const std::string& format = "",
-                                         const WriteOptions& options = {});
+std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file,
+                                         const std::string& format = "", const WriteOptions& options = {});
 
 /// As write_mesh(), from flat arrays.
 std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,

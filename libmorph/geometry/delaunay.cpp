@@ -116,12 +116,12 @@ public:
 
     /// Ends: a flip either lowers the number of triangles that are not positive, or leaves it and
     /// lowers the surface over the triangles lifted to the paraboloid z = x^2 + y^2.
-    std::size_t run(std::vector<Side> todo)
+    std::size_t run(std::vector<Side> pending)
     {
         std::size_t flips = 0;
-        while (!todo.empty()) {
-            const Side side = todo.back();
-            todo.pop_back();
+        while (!pending.empty()) {
+            const Side side = pending.back();
+            pending.pop_back();
             if (neighbour(side) < 0 || !must_flip(side))
                 continue;
             const Index other = neighbour(side);
@@ -130,8 +130,8 @@ public:
             // Every side of both triangles, wherever it has moved: what waits in the list under the
             // old place of a side is not lost.
             for (int k = 0; k < 3; ++k) {
-                todo.push_back({side.triangle, k});
-                todo.push_back({other, k});
+                pending.push_back({side.triangle, k});
+                pending.push_back({other, k});
             }
         }
         return flips;

@@ -113,15 +113,15 @@ SymmetricMatrix free_matrix(const Places& places, const std::vector<WeightedEdge
 void require_every_part_held(const SymmetricMatrix& A, const std::vector<HeldEdge>& held)
 {
     std::vector<char> reached(A.diagonal.size());
-    std::vector<Index> todo;
+    std::vector<Index> pending;
     const auto reach = [&](Index i) {
         if (!std::exchange(reached[static_cast<std::size_t>(i)], char{1}))
-            todo.push_back(i);
+            pending.push_back(i);
     };
     const auto spread = [&] {
-        while (!todo.empty()) {
-            const auto i = static_cast<std::size_t>(todo.back());
-            todo.pop_back();
+        while (!pending.empty()) {
+            const auto i = static_cast<std::size_t>(pending.back());
+            pending.pop_back();
             for (std::size_t e = A.start[i]; e < A.start[i + 1]; ++e)
                 reach(A.column[e]);
         }

@@ -12,8 +12,9 @@ namespace morph::tools {
 
 namespace {
 
-constexpr const char* kExitCodes = "Exit status: 0 done, 1 bad input or failure, 2 wrong usage,\n"
-                                   "3 done and written, but the resulting mesh has inverted elements or crosses itself";
+constexpr const char* kExitCodes =
+    "Exit status: 0 done, 1 bad input or failure, 2 wrong usage,\n"
+    "3 done and written, but the resulting mesh has inverted elements or crosses itself";
 
 std::string format_names()
 {

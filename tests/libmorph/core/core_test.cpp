@@ -35,10 +35,11 @@ TEST(ParallelFor, VisitsEveryItemOnceForAnyThreadCount)
 
 TEST(ParallelFor, PassesOnWhatABodyThrows)
 {
-    EXPECT_THROW(parallel_for(100, 1, [](std::size_t begin, std::size_t) {
-                     if (begin == 50)
-                         throw InputError("item 50");
-                 }),
+    EXPECT_THROW(parallel_for(100, 1,
+                              [](std::size_t begin, std::size_t) {
+                                  if (begin == 50)
+                                      throw InputError("item 50");
+                              }),
                  InputError);
 }
 

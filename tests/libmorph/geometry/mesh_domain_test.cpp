@@ -3,6 +3,7 @@
 #include "libmorph/basis/closest.h"
 #include "libmorph/core/error.h"
 #include "tests/support/curves.h"
+#include "tests/support/domains.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,9 +18,7 @@
 namespace morph {
 namespace {
 
-using testing::HasSubstr;
-
-constexpr std::array<double, 4> kThesisBox = {-15, -5, 25, 25};
+using namespace test;
 
 // A node that the refinement adds has C(u) for some u; finding u again costs a Newton iteration that
 // ends within a few units of roundoff of the coordinates (up to 25 here).
@@ -27,68 +26,6 @@ constexpr double kOnCurve = 1e-12;
 
 // Areas are sums of some thousand terms of the size of the box.
 constexpr double kAreaTolerance = 1e-12;
-
-Curve closed_curve(int degree, const std::vector<std::array<double, 2>>& points,
-                   std::vector<double> knots = {})
-{
-    CurveDefinition definition;
-    definition.degree = degree;
-    definition.closed = true;
-    definition.knots = std::move(knots);
-    definition.control_points.resize(static_cast<Eigen::Index>(points.size()), 2);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        definition.control_points.row(static_cast<Eigen::Index>(i)) << points[i][0], points[i][1];
-    return Curve(definition);
-}
-
-Curve round_curve(double x, double y, double radius)
-{
-    std::vector<std::array<double, 2>> points;
-    for (int i = 0; i < 8; ++i)
-        points.push_back({x + radius * std::cos(i * std::numbers::pi / 4),
-                          y + radius * std::sin(i * std::numbers::pi / 4)});
-    return closed_curve(3, points);
-}
-
-Curve clockwise(const Curve& curve)
-{
-    CurveDefinition definition = curve.definition();
-    definition.control_points = definition.control_points.colwise().reverse().eval();
-    return Curve(definition);
-}
-
-/// A thick airfoil of unit chord whose upper and lower sides meet in a sharp trailing edge at u = 0.
-Curve sharp_airfoil()
-{
-    const std::vector<std::array<double, 2>> points = {{1, 0},     {0.7, 0.08},  {0.35, 0.13},  {0.05, 0.1},
-                                                       {-0.02, 0}, {0.05, -0.1}, {0.35, -0.13}, {0.7, -0.08}};
-    // The corner is a knot of multiplicity 3 at the start of the period.
-    return closed_curve(3, points, {0, 0, 0, 1. / 6, 2. / 6, 3. / 6, 4. / 6, 5. / 6, 1});
-}
-
-/// A square with a wedge of 5.7 degrees cut into its right side: a small corner of the domain.
-Curve notched_square()
-{
-    return closed_curve(1, {{-1, -1}, {1, -1}, {1, 0.9}, {0, 0.95}, {1, 1}, {-1, 1}});
-}
-
-DomainSpec thesis_case(int number)
-{
-    DomainSpec spec{kThesisBox, 1.0, {}};
-    if (number == 1) {
-        spec.curves.push_back({"body", Curve(test::thesis_case_1()), 100});
-        return spec;
-    }
-    for (const char* which : {"1", "2"}) {
-        CurveDefinition definition;
-        definition.degree = 3;
-        definition.closed = true;
-        definition.control_points =
-            test::thesis_points("case2_curve" + std::string(which) + "_control_points.csv");
-        spec.curves.push_back({"body" + std::string(which), Curve(definition), 100});
-    }
-    return spec;
-}
 
 struct NamedSpec {
     std::string name;
@@ -373,94 +310,6 @@ TEST(MeshDomain, ScalesWithTheUnitOfLength)
         EXPECT_EQ(mesh.elements, mesh_domain(metres).elements) << unit;
     }
 }
-
-struct Refusal {
-    std::string name;
-    DomainSpec spec;
-    std::string message;
-};
-
-class RefusedDomain : public testing::TestWithParam<Refusal> {};
-
-TEST_P(RefusedDomain, SaysWhatIsWrong)
-{
-    try {
-        mesh_domain(GetParam().spec);
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-        EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
-    }
-}
-
-std::vector<Refusal> refusals()
-{
-    constexpr std::array<double, 4> box = {-5, -5, 5, 5};
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
-    const Curve round = round_curve(0, 0, 1);
-    const Curve eight = closed_curve(1, {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}});
-    const Curve loop = closed_curve(3, {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}});
-    const Curve flat = closed_curve(2, {{-1, 0}, {0, 0}, {1, 0}, {0, 0}});
-    const Curve point = closed_curve(2, {{0, 0}, {0, 0}, {0, 0}});
-    CurveDefinition open = round.definition();
-    open.closed = false;
-    DomainSpec few = thesis_case(1);
-    few.max_vertices = 1500;
-    return {
-        {"flat_box", {{-5, 1, 5, 1}, 1, {}}, "the box [-5, 1, 5, 1] has no area"},
-        {"box_turned_round", {{5, -5, -5, 5}, 1, {}}, "has no area; it is [xmin, ymin, xmax, ymax]"},
-        {"box_not_a_number", {{nan, -5, 5, 5}, 1, {}}, "not finite"},
-        {"box_infinite", {{-5, -5, infinity, 5}, 1, {}}, "not finite"},
-        {"size_zero", {box, 0, {}}, "size is 0"},
-        {"size_negative", {box, -1, {}}, "size is -1"},
-        {"size_not_a_number", {box, nan, {}}, "size is nan"},
-        {"size_infinite", {box, infinity, {}}, "size is inf"},
-        {"size_tiny", {box, 1e-4, {}}, "would give about 1.15473e+10 vertices; at most 20000000"},
-        {"size_denormal", {box, 5e-324, {}}, "size 4.94066e-324"},
-        {"sliver_box", {{0, 0, 1, 1e-9}, 1, {}}, "vertices; at most 20000000"},
-        {"too_many_vertices", few, "more than 1500 vertices"},
-        {"no_nodes",
-         {box, 1, {{"a", round, 0}}},
-         "boundary 'a' has nodes = 0; a closed curve needs at least 3"},
-        {"two_nodes", {box, 1, {{"a", round, 2}}}, "boundary 'a' has nodes = 2"},
-        {"negative_nodes", {box, 1, {{"a", round, -7}}}, "boundary 'a' has nodes = -7"},
-        {"huge_nodes",
-         {box, 1, {{"a", round, 2'000'000'000}}},
-         "boundary 'a' has nodes = 2000000000; at most"},
-        {"name_twice", {box, 1, {{"a", round, 40}, {"a", round_curve(3, 0, 1), 40}}}, "'a' is given twice"},
-        {"name_of_the_box", {box, 1, {{"farfield", round, 40}}}, "'farfield' has the name of the box"},
-        {"open_curve", {box, 1, {{"a", Curve(open), 40}}}, "boundary 'a' is open; a mesh can be generated"},
-        {"figure_of_eight", {box, 1, {{"a", eight, 60}}}, "boundary 'a' crosses or touches itself near (0"},
-        {"eight_between_nodes", {box, 1, {{"a", loop, 3}}}, "boundary 'a' crosses or touches itself near (0"},
-        {"line_there_and_back", {box, 1, {{"a", flat, 40}}}, "boundary 'a' crosses or touches itself"},
-        {"single_point",
-         {box, 1, {{"a", point, 40}}},
-         "boundary 'a' has two nodes at the same place near (0, 0)"},
-        {"curves_cross",
-         {box, 1, {{"a", round, 40}, {"b", round_curve(1, 0, 1), 40}}},
-         "boundary 'a' crosses or touches boundary 'b' near (0.5, "},
-        {"same_curve_twice",
-         {box, 1, {{"a", round, 40}, {"b", round, 40}}},
-         "'a' crosses or touches boundary 'b'"},
-        {"curve_in_curve",
-         {box, 1, {{"a", round, 40}, {"b", round_curve(0, 0, 0.5), 40}}},
-         "boundary 'b' lies inside boundary 'a'"},
-        {"curve_around_curve",
-         {box, 1, {{"b", round_curve(0, 0, 0.5), 40}, {"a", round, 40}}},
-         "boundary 'b' lies inside boundary 'a'"},
-        {"curve_across_the_box",
-         {box, 1, {{"a", round_curve(5, 0, 1), 40}}},
-         "crosses or touches the box near (5"},
-        {"curve_outside", {box, 1, {{"a", round_curve(9, 0, 1), 40}}}, "boundary 'a' lies outside the box"},
-        {"curve_around_the_box",
-         {box, 1, {{"a", round_curve(0, 0, 50), 40}}},
-         "boundary 'a' lies outside the box"},
-    };
-}
-
-INSTANTIATE_TEST_SUITE_P(MeshDomain, RefusedDomain, testing::ValuesIn(refusals()),
-                         [](const auto& refusal) { return refusal.param.name; });
 
 } // namespace
 } // namespace morph
