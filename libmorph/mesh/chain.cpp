@@ -111,13 +111,34 @@ private:
     std::vector<bool> used_;
 };
 
+/// The marker with one copy of each split vertex that it passes through: in the file it is one vertex
+/// there. Where more than two edges of the marker meet the copies stay, as they keep its loops apart.
+Marker joined_at_copies(Marker marker, const Numbering& numbering)
+{
+    const auto file_number = [&](Index v) { return numbering.vertex[static_cast<std::size_t>(v)]; };
+    std::unordered_map<Index, int> edges_at;
+    std::unordered_map<Index, Index> first_copy;
+    for (const auto& edge : marker.edges)
+        for (const Index v : edge) {
+            ++edges_at[file_number(v)];
+            first_copy.emplace(file_number(v), v);
+        }
+    for (auto& edge : marker.edges)
+        for (Index& v : edge)
+            if (edges_at[file_number(v)] <= 2)
+                v = first_copy[file_number(v)];
+    return marker;
+}
+
 } // namespace
 
 std::vector<Chain> marker_chains(const Marker& marker, const Numbering& numbering)
 {
     if (marker.edges.empty())
         throw InputError("marker '" + marker.name + "' has no edges");
-    ChainWalker walker(marker, numbering);
+    const bool split = static_cast<std::size_t>(numbering.file_vertices) < numbering.vertex.size();
+    const Marker joined = split ? joined_at_copies(marker, numbering) : marker;
+    ChainWalker walker(joined, numbering);
     std::vector<Chain> chains;
     for (std::size_t e = 0; e < marker.edges.size(); ++e)
         if (!walker.used(e))

@@ -15,7 +15,7 @@ struct Chain {
 /// Order the edges of a marker into chains, in the direction most of their edges have.
 ///
 /// A closed chain starts at the first vertex of its first edge in file order; an open one at an end.
-/// Chains come in the order of their first edges.
+/// Chains come in the order of their first edges. A chain passes through a split vertex by one of its copies.
 ///
 /// @param numbering  file numbers for the messages
 /// @throws InputError  the marker has no edges, lists one twice, or branches at a vertex (three or more

@@ -13,11 +13,25 @@ namespace {
 
 /// Everything that wants to say how a vertex moves.
 struct Claims {
+    Index vertex = 0; ///< one of its copies, where it is split
     std::vector<SharedVertex::Claim> rows;
     std::string fixed_by;
 };
 
+/// By file number, so that copies of a split vertex move as one.
 using ClaimsByVertex = std::map<Index, Claims>;
+
+Index file_number(const Mesh& mesh, Index v)
+{
+    return mesh.numbering.vertex[static_cast<std::size_t>(v)];
+}
+
+Claims& claims_of(const Mesh& mesh, Index v, ClaimsByVertex& claims)
+{
+    Claims& claim = claims[file_number(mesh, v)];
+    claim.vertex = v;
+    return claim;
+}
 
 bool is_end(const CurveParameter& parameter)
 {
@@ -25,10 +39,11 @@ bool is_end(const CurveParameter& parameter)
 }
 
 /// Both ends of an open curve that meet in one vertex of a closed marker claim it.
-void claim_vertex(const CurveBoundary& boundary, std::size_t number, std::size_t node, ClaimsByVertex& claims)
+void claim_vertex(const Mesh& mesh, const CurveBoundary& boundary, std::size_t number, std::size_t node,
+                  ClaimsByVertex& claims)
 {
     const CurveParameter& parameter = boundary.parameters[node];
-    std::vector<SharedVertex::Claim>& rows = claims[boundary.vertices[node]].rows;
+    std::vector<SharedVertex::Claim>& rows = claims_of(mesh, boundary.vertices[node], claims).rows;
     if (boundary.closed_chain && !boundary.curve.closed() && is_end(parameter)) {
         rows.push_back({number, boundary.curve.basis(0)});
         rows.push_back({number, boundary.curve.basis(1)});
@@ -48,23 +63,24 @@ void claim_fixed(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
             throw InputError("marker '" + name +
                              "' is fixed and has a [[boundary]] as well; take one of them away");
         for (const Index v : marker_vertices(marker(mesh, name)))
-            claims[v].fixed_by = name;
+            claims_of(mesh, v, claims).fixed_by = name;
     }
 }
 
 /// Vertices of the boundary that no marker at all names; nobody said how they move, so they stay.
 Index claim_unmarked(const Mesh& mesh, ClaimsByVertex& claims)
 {
-    std::vector<bool> marked(static_cast<std::size_t>(vertex_count(mesh)));
+    std::vector<bool> marked(static_cast<std::size_t>(mesh.numbering.file_vertices));
     for (const Marker& m : mesh.markers)
         for (const auto& edge : m.edges)
-            marked[static_cast<std::size_t>(edge[0])] = marked[static_cast<std::size_t>(edge[1])] = true;
+            for (const Index v : edge)
+                marked[static_cast<std::size_t>(file_number(mesh, v))] = true;
     Index unmarked = 0;
     for (const VertexHandle v : mesh.kernel.vertices()) {
-        if (marked[static_cast<std::size_t>(v.idx())] || mesh.kernel.is_isolated(v) ||
-            !mesh.kernel.is_boundary(v))
+        const bool known = marked[static_cast<std::size_t>(file_number(mesh, v.idx()))];
+        if (known || mesh.kernel.is_isolated(v) || !mesh.kernel.is_boundary(v))
             continue;
-        claims[v.idx()].fixed_by = "(no marker)";
+        claims_of(mesh, v.idx(), claims).fixed_by = "(no marker)";
         ++unmarked;
     }
     return unmarked;
@@ -83,11 +99,11 @@ void prescribe(const ClaimsByVertex& claims, BoundaryConditions& conditions)
 {
     const auto columns = static_cast<Eigen::Index>(conditions.columns.size());
     conditions.held.values = Matrix::Zero(static_cast<Eigen::Index>(claims.size()), columns);
-    for (const auto& [vertex, claim] : claims) {
+    for (const auto& [number, claim] : claims) {
         const auto row = static_cast<Eigen::Index>(conditions.held.vertices.size());
-        conditions.held.vertices.push_back(vertex);
+        conditions.held.vertices.push_back(claim.vertex);
         if (claim.rows.size() > 1 || (!claim.rows.empty() && !claim.fixed_by.empty()))
-            conditions.shared.push_back({vertex, claim.rows, claim.fixed_by});
+            conditions.shared.push_back({claim.vertex, claim.rows, claim.fixed_by});
         if (!claim.fixed_by.empty())
             continue;
         const double share = 1.0 / static_cast<double>(claim.rows.size());
@@ -164,7 +180,7 @@ BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<Curve
     ClaimsByVertex claims;
     for (std::size_t b = 0; b < boundaries.size(); ++b)
         for (std::size_t node = 0; node < boundaries[b].vertices.size(); ++node)
-            claim_vertex(boundaries[b], b, node, claims);
+            claim_vertex(mesh, boundaries[b], b, node, claims);
     claim_fixed(mesh, boundaries, fixed, claims);
     BoundaryConditions conditions;
     conditions.unmarked = claim_unmarked(mesh, claims);
@@ -180,8 +196,7 @@ void require_ends_together(const Mesh& mesh, const std::vector<CurveBoundary>& b
     // Displacements that are meant to be equal are typed alike; this only forgives their last digits.
     const double tolerance = 1e-12 * displacements.cwiseAbs().maxCoeff();
     for (const SharedVertex& shared : conditions.shared) {
-        const std::string vertex =
-            "vertex " + std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(shared.vertex)]);
+        const std::string vertex = "vertex " + std::to_string(file_number(mesh, shared.vertex));
         const auto move_of = [&](const SharedVertex::Claim& claim) {
             return claimed_move(claim, conditions.first_column[claim.boundary], displacements);
         };

@@ -55,6 +55,7 @@ struct BoundaryConditions {
 /// Node l of a curve gets the basis functions N_i(u_l) [Tavla 2021, 3.5], every fixed node 0. A vertex
 /// that several curves end in gets the mean of their rows, so that it follows them when they move
 /// alike; one that a fixed marker holds as well stays fixed. Boundary vertices in no marker are held.
+/// The copies of a split vertex are one vertex here, and one of them stands for it in the result.
 ///
 /// @param fixed  markers held still; other markers without a curve are left free
 /// @throws InputError  a fixed marker does not exist or is one of the boundaries

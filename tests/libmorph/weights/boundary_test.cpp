@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace morph;
@@ -149,6 +151,56 @@ TEST(RequireEndsTogether, TreatsAnOpenCurveAroundAClosedMarkerAlike)
     const auto row = held_row(conditions, vertex_at(mesh, 1, 0));
     EXPECT_NEAR(row(0), 0.5, kRoundOff);
     EXPECT_NEAR(row(4), 0.5, kRoundOff);
+}
+
+/// Two squares that touch in the corner (1, 1), which the builder splits; the marker "through" runs along
+/// y = 1 over both, "rest" is the rest of the boundary.
+MeshData touching_squares()
+{
+    MeshData data = test::uneven_square(4);
+    const MeshData other = data;
+    const Index n = static_cast<Index>(data.points.rows());
+    const auto renamed = [n](Index v) { return v < 0 ? v : n - 1 + v; };
+    data.points.conservativeResize(2 * n - 1, 3);
+    for (Index v = 1; v < n; ++v)
+        data.points.row(renamed(v)) = other.points.row(v) + Eigen::RowVector3d(1, 1, 0);
+    for (Element e : other.elements) {
+        std::transform(e.begin(), e.end(), e.begin(), renamed);
+        data.elements.push_back(e);
+    }
+    data.markers = {{"through", other.markers[2].edges}, {"rest", {}}};
+    for (const std::size_t side : {0, 1, 3})
+        data.markers[1].edges.insert(data.markers[1].edges.end(), other.markers[side].edges.begin(),
+                                     other.markers[side].edges.end());
+    for (const std::size_t side : {0, 1, 2, 3})
+        for (const auto& edge : other.markers[side].edges)
+            data.markers[side == 0 ? 0 : 1].edges.push_back({renamed(edge[0]), renamed(edge[1])});
+    return data;
+}
+
+TEST(HarmonicCurveWeights, MoveTheCopiesOfASplitVertexTogether)
+{
+    MeshData data = touching_squares();
+    // On the curve alone the corner would be fixed by "rest", which holds it in the second square.
+    std::erase_if(data.markers[1].edges, [](const auto& edge) { return edge[0] == 24 || edge[1] == 24; });
+    Mesh mesh = build_mesh(data);
+    ASSERT_EQ(vertex_count(mesh), mesh.numbering.file_vertices + 1);
+    const Curve curve = line(0, 1, 2, 1);
+    EXPECT_EQ(place_on_curve(mesh, "through", curve).vertices.size(), 9U);
+    const Weights weights = harmonic_curve_weights(mesh, {{"through", curve}});
+    Matrix moves = Matrix::Zero(4, 2);
+    moves.row(1) << 0, 0.1;
+    moves.row(2) << 0.05, 0.1;
+    apply_weights(weights, moves, points(mesh));
+    const Curve moved = curve.with_control_points(curve.definition().control_points + moves);
+    Index copies = 0;
+    for (Index v = 0; v < vertex_count(mesh); ++v) {
+        if (mesh.numbering.vertex[static_cast<std::size_t>(v)] != 24)
+            continue;
+        ++copies;
+        EXPECT_LT((points(mesh).row(v).head<2>().transpose() - moved.point(0.5)).norm(), 1e-12);
+    }
+    EXPECT_EQ(copies, 2);
 }
 
 TEST(HarmonicCurveWeights, MoveBoundaryNodesOntoTheMovedCurves)
