@@ -90,7 +90,7 @@ Mesh load_mesh(const CaseFile& file, const std::string& from)
     return file.generate ? build_mesh(generate_mesh(file)) : read_mesh(file.mesh_file, from);
 }
 
-void stage_mesh(MeshData data, const std::string& path, const std::string& format, Outputs& outputs)
+void stage_mesh(const MeshData& data, const std::string& path, const std::string& format, Outputs& outputs)
 {
     for (const std::string& warning : write_mesh_data(data, outputs.open(path), format))
         warn(kTool, warning);

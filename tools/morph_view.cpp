@@ -91,7 +91,7 @@ std::vector<Mesh> read_meshes(const Options& options)
 
 std::string caption(const Options& options, std::size_t number)
 {
-    const std::string name = std::filesystem::path(options.meshes[number]).filename().string();
+    std::string name = std::filesystem::path(options.meshes[number]).filename().string();
     if (options.meshes.size() == 1)
         return name;
     return (number == 0 ? "before: " : "after: ") + name;

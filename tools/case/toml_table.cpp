@@ -192,9 +192,10 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const
     if (!has(key))
         return entries;
     const std::string name = "[[" + key + "]]";
-    for (const toml::node& item : array(key, "written as " + name)) {
+    const std::string expected = "written as " + name;
+    for (const toml::node& item : array(key, expected)) {
         if (!item.is_table())
-            fail(line_of(item), key + " must be written as " + name);
+            fail(line_of(item), label(key) + " must be " + expected);
         entries.emplace_back(*item.as_table(), path_, name);
     }
     return entries;
