@@ -132,7 +132,7 @@ std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file,
     writer.write(data, options, file);
     std::vector<std::string> warnings = losses(data, writer, options);
     for (std::string& warning : warnings)
-        warning = file.path() + ": " + warning;
+        warning.insert(0, file.path() + ": ");
     return warnings;
 }
 

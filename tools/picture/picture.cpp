@@ -168,8 +168,10 @@ public:
         canvas.text({kMargin, kTitle + 2}, canvas.fitted(options_.title, kTitleStyle, width - 2 * kMargin),
                     kTitleStyle);
         for (std::size_t i = 0; i < panels_.size(); ++i) {
-            const double x = kMargin + double(i % columns_) * (column + kGap);
-            const double y = head + double(i / columns_) * (row + kCaption + 10) + kCaption;
+            const std::size_t above = i / columns_;
+            const std::size_t left = i % columns_;
+            const double x = kMargin + double(left) * (column + kGap);
+            const double y = head + double(above) * (row + kCaption + 10) + kCaption;
             draw_panel(canvas, panels_[i], {x, y, column, row});
         }
         draw_legend(canvas, {kMargin, height - kMargin - legend_height(legend_), width - 2 * kMargin, 0},
