@@ -89,6 +89,43 @@ MeshData annulus(double inner, double outer, Index around, Index radial)
     return mesh;
 }
 
+MeshData uneven_annulus(double inner, double outer, Index around)
+{
+    MeshData data = annulus(inner, outer, around, around / 4);
+    for (Index v = 0; v < data.points.rows(); ++v) {
+        const double angle = std::atan2(data.points(v, 1), data.points(v, 0));
+        const double part = std::log(data.points.row(v).norm() / inner) / std::log(outer / inner);
+        const double bump = std::sin(std::numbers::pi * part);
+        const double radius = inner * std::pow(outer / inner, part + 0.1 * bump * std::cos(3 * angle));
+        const double turned = angle + 0.3 + 0.2 * bump * std::sin(2 * angle + 1);
+        data.points.row(v) << radius * std::cos(turned), radius * std::sin(turned), 0;
+    }
+    return data;
+}
+
+MeshData touching_squares(Index cells)
+{
+    MeshData data = uneven_square(cells);
+    const MeshData other = data;
+    const Index n = static_cast<Index>(data.points.rows());
+    const auto renamed = [n](Index v) {
+        return v < 0 ? v : n - 1 + v;
+    }; // the last vertex is the other's first
+    data.points.conservativeResize(2 * n - 1, 3);
+    for (Index v = 1; v < n; ++v)
+        data.points.row(renamed(v)) = other.points.row(v) + Eigen::RowVector3d(1, 1, 0);
+    for (Element e : other.elements) {
+        std::transform(e.begin(), e.end(), e.begin(), renamed);
+        data.elements.push_back(e);
+    }
+    for (const Marker& m : other.markers) {
+        Marker& second = data.markers.emplace_back(Marker{m.name + " 2", {}});
+        for (const auto& edge : m.edges)
+            second.edges.push_back({renamed(edge[0]), renamed(edge[1])});
+    }
+    return data;
+}
+
 std::string data_path(const std::string& name)
 {
     return std::string(MORPH_TEST_DATA) + "/" + name;

@@ -18,6 +18,14 @@ MeshData quad_square(Index cells);
 /// "inner" and "outer".
 MeshData annulus(double inner, double outer, Index around, Index radial);
 
+/// An annulus turned by an odd angle, its vertices shifted by a smooth map that is the same for every
+/// refinement and leaves both circles as they are.
+MeshData uneven_annulus(double inner, double outer, Index around);
+
+/// Two uneven squares that touch in the corner (1, 1), which the builder splits; the markers of the second
+/// are called "bottom 2", "right 2", "top 2" and "left 2".
+MeshData touching_squares(Index cells);
+
 /// Absolute path of a file in tests/data.
 std::string data_path(const std::string& name);
 

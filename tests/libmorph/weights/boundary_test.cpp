@@ -153,34 +153,24 @@ TEST(RequireEndsTogether, TreatsAnOpenCurveAroundAClosedMarkerAlike)
     EXPECT_NEAR(row(4), 0.5, kRoundOff);
 }
 
-/// Two squares that touch in the corner (1, 1), which the builder splits; the marker "through" runs along
-/// y = 1 over both, "rest" is the rest of the boundary.
-MeshData touching_squares()
+/// The marker "through" runs along y = 1 over both of two squares that touch in (1, 1), "rest" is the rest of
+/// the boundary.
+MeshData squares_with_a_line_through()
 {
-    MeshData data = test::uneven_square(4);
-    const MeshData other = data;
-    const Index n = static_cast<Index>(data.points.rows());
-    const auto renamed = [n](Index v) { return v < 0 ? v : n - 1 + v; };
-    data.points.conservativeResize(2 * n - 1, 3);
-    for (Index v = 1; v < n; ++v)
-        data.points.row(renamed(v)) = other.points.row(v) + Eigen::RowVector3d(1, 1, 0);
-    for (Element e : other.elements) {
-        std::transform(e.begin(), e.end(), e.begin(), renamed);
-        data.elements.push_back(e);
+    MeshData data = test::touching_squares(4);
+    std::vector<Marker> markers{{"through", {}}, {"rest", {}}};
+    for (const Marker& m : data.markers) {
+        const bool through = m.name == "top" || m.name == "bottom 2";
+        auto& edges = markers[through ? 0 : 1].edges;
+        edges.insert(edges.end(), m.edges.begin(), m.edges.end());
     }
-    data.markers = {{"through", other.markers[2].edges}, {"rest", {}}};
-    for (const std::size_t side : {0, 1, 3})
-        data.markers[1].edges.insert(data.markers[1].edges.end(), other.markers[side].edges.begin(),
-                                     other.markers[side].edges.end());
-    for (const std::size_t side : {0, 1, 2, 3})
-        for (const auto& edge : other.markers[side].edges)
-            data.markers[side == 0 ? 0 : 1].edges.push_back({renamed(edge[0]), renamed(edge[1])});
+    data.markers = std::move(markers);
     return data;
 }
 
 TEST(HarmonicCurveWeights, MoveTheCopiesOfASplitVertexTogether)
 {
-    MeshData data = touching_squares();
+    MeshData data = squares_with_a_line_through();
     // On the curve alone the corner would be fixed by "rest", which holds it in the second square.
     std::erase_if(data.markers[1].edges, [](const auto& edge) { return edge[0] == 24 || edge[1] == 24; });
     Mesh mesh = build_mesh(data);

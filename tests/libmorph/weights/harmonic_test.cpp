@@ -4,6 +4,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "tests/support/harmonic.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,10 @@ namespace {
 
 using namespace morph;
 using std::numbers::pi;
+using test::hold_boundary;
+using test::uneven_annulus;
+using test::x_of;
+using test::y_of;
 
 // One sparse solve of a well-conditioned system loses a few digits; n is some hundreds or thousands here.
 constexpr double kSolveTol = 1e-12;
@@ -33,32 +38,8 @@ constexpr double kBoundTol = 1e-13;
 constexpr Diffusivity kDiffusivities[] = {Diffusivity::uniform, Diffusivity::inverse_distance,
                                           Diffusivity::inverse_area};
 
-double x_of(const Mesh& mesh, Index v)
-{
-    return points(mesh)(v, 0);
-}
-
-double y_of(const Mesh& mesh, Index v)
-{
-    return points(mesh)(v, 1);
-}
-
-/// Hold the whole boundary at values(x, y), a row of K; the edges of the named marker move.
-template <typename Values>
-HarmonicProblem hold_boundary(const Mesh& mesh, const std::string& moving, const Values& values)
-{
-    HarmonicProblem problem;
-    for (const VertexHandle v : mesh.kernel.vertices())
-        if (mesh.kernel.is_boundary(v))
-            problem.held.vertices.push_back(v.idx());
-    problem.held.values.resize(static_cast<Index>(problem.held.vertices.size()), values(0.0, 0.0).cols());
-    for (Index i = 0; i < problem.held.values.rows(); ++i) {
-        const Index v = problem.held.vertices[static_cast<std::size_t>(i)];
-        problem.held.values.row(i) = values(x_of(mesh, v), y_of(mesh, v));
-    }
-    problem.moving_edges = marker(mesh, moving).edges;
-    return problem;
-}
+constexpr double kInner = 0.5;
+constexpr double kOuter = 3;
 
 Eigen::RowVector3d affine(double x, double y)
 {
@@ -70,114 +51,6 @@ Eigen::RowVector3d partition(double x, double y)
 {
     const double s = 0.5 + 0.5 * std::sin(3 * x), t = 0.5 + 0.5 * std::cos(2 * y);
     return {s * t, s * (1 - t), 1 - s};
-}
-
-template <typename Function>
-double worst_error(const Mesh& mesh, const Matrix& h, const Function& exact)
-{
-    double worst = 0;
-    for (Index v = 0; v < h.rows(); ++v)
-        worst = std::max(worst, std::abs(h(v, 0) - exact(x_of(mesh, v), y_of(mesh, v))));
-    return worst;
-}
-
-/// An annulus turned by an odd angle, its vertices shifted by a smooth map that is the same for every
-/// refinement and leaves both circles as they are.
-MeshData uneven_annulus(double inner, double outer, Index around)
-{
-    MeshData data = test::annulus(inner, outer, around, around / 4);
-    for (Index v = 0; v < data.points.rows(); ++v) {
-        const double angle = std::atan2(data.points(v, 1), data.points(v, 0));
-        const double part = std::log(data.points.row(v).norm() / inner) / std::log(outer / inner);
-        const double bump = std::sin(pi * part);
-        const double radius = inner * std::pow(outer / inner, part + 0.1 * bump * std::cos(3 * angle));
-        const double turned = angle + 0.3 + 0.2 * bump * std::sin(2 * angle + 1);
-        data.points.row(v) << radius * std::cos(turned), radius * std::sin(turned), 0;
-    }
-    return data;
-}
-
-constexpr double kInner = 0.5;
-constexpr double kOuter = 3;
-
-double one_inside(double x, double y)
-{
-    return std::hypot(x, y) < 0.5 * (kInner + kOuter) ? 1 : 0;
-}
-
-template <typename Function>
-double annulus_error(const MeshData& data, Diffusivity diffusivity, const Function& exact)
-{
-    const Mesh mesh = build_mesh(data);
-    const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(one_inside(x, y)); };
-    const Matrix h = harmonic_weights(mesh, hold_boundary(mesh, "inner", values), diffusivity);
-    return worst_error(mesh, h, [&](double x, double y) { return exact(std::hypot(x, y)); });
-}
-
-/// The error falls with the square of the cell size over three refinements: 4 times each, at least 3.4.
-template <typename MakeMesh, typename Function>
-void expect_second_order(Diffusivity diffusivity, const MakeMesh& mesh, const Function& exact)
-{
-    double coarse = annulus_error(mesh(48), diffusivity, exact);
-    for (const Index around : {96, 192, 384}) {
-        const double fine = annulus_error(mesh(around), diffusivity, exact);
-        EXPECT_GT(coarse / fine, 3.4) << around << " around: " << fine;
-        coarse = fine;
-    }
-}
-
-MeshData uneven(Index around)
-{
-    return uneven_annulus(kInner, kOuter, around);
-}
-
-TEST(HarmonicWeights, ConvergeToTheLogarithmInAnAnnulus)
-{
-    expect_second_order(Diffusivity::uniform, uneven,
-                        [](double r) { return std::log(kOuter / r) / std::log(kOuter / kInner); });
-}
-
-// With g = 1 / (r - R1) the equation is (r h' / (r - R1))' = 0, so h falls like r - R1 - R1 ln(r / R1).
-TEST(HarmonicWeights, ConvergeForInverseDistanceInAnAnnulus)
-{
-    const auto fallen = [](double r) { return r - kInner - kInner * std::log(r / kInner); };
-    expect_second_order(Diffusivity::inverse_distance, uneven,
-                        [&](double r) { return 1 - fallen(r) / fallen(kOuter); });
-}
-
-// The cells of this annulus have areas that grow as r^2: g = 1 / r^2 and r h' / r^2 is constant.
-TEST(HarmonicWeights, ConvergeForInverseAreaInAGradedAnnulus)
-{
-    const auto graded = [](Index around) { return test::annulus(kInner, kOuter, around, around / 4); };
-    expect_second_order(Diffusivity::inverse_area, graded, [](double r) {
-        return (kOuter * kOuter - r * r) / (kOuter * kOuter - kInner * kInner);
-    });
-}
-
-double mean_value_error(Index around)
-{
-    MeshData disc = uneven_annulus(0.02, 1, around);
-    const Index centre = static_cast<Index>(disc.points.rows());
-    disc.points.conservativeResize(centre + 1, 3);
-    disc.points.row(centre).setZero();
-    for (Index i = 0; i < around; ++i)
-        disc.elements.push_back({centre, i, (i + 1) % around, -1});
-    disc.markers.erase(disc.markers.begin());
-    const Mesh mesh = build_mesh(disc);
-    const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(std::exp(x) * x + y); };
-    const HarmonicProblem problem = hold_boundary(mesh, "outer", values);
-    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
-    const auto& file = mesh.numbering.vertex;
-    const auto inside = std::find(file.begin(), file.end(), centre) - file.begin();
-    return std::abs(h(inside, 0) - problem.held.values.mean()); // the circle's vertices are evenly spaced
-}
-
-TEST(HarmonicWeights, AtTheCentreOfADiscAreTheMeanOnTheCircle)
-{
-    const double coarse = mean_value_error(24);
-    const double fine = mean_value_error(96);
-    EXPECT_LT(coarse, 0.02); // the values range from -0.4 to 2.7
-    EXPECT_LT(fine, coarse / 8);
 }
 
 class HarmonicWeightsOf : public testing::TestWithParam<MeshData (*)(Index)> {};
@@ -403,26 +276,9 @@ TEST(HarmonicWeights, TurnAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
     EXPECT_EQ(inverted_by_turning(5, Diffusivity::inverse_distance), 0);
 }
 
-/// Two squares that touch in one corner: the builder splits it.
-MeshData touching_squares()
-{
-    MeshData data = test::uneven_square(6);
-    const Index n = static_cast<Index>(data.points.rows());
-    const MeshData other = data;
-    data.points.conservativeResize(2 * n - 1, 3);
-    const auto renamed = [n](Index v) { return v < 0 ? v : v == 0 ? n - 1 : n - 1 + v; };
-    for (Index v = 1; v < n; ++v)
-        data.points.row(renamed(v)) = other.points.row(v) + Eigen::RowVector3d(1, 1, 0);
-    for (Element e : other.elements) {
-        std::transform(e.begin(), e.end(), e.begin(), renamed);
-        data.elements.push_back(e);
-    }
-    return data;
-}
-
 TEST(HarmonicWeights, OfCopiesOfASplitVertexAreOneUnknown)
 {
-    const Mesh mesh = build_mesh(touching_squares());
+    const Mesh mesh = build_mesh(test::touching_squares(6));
     ASSERT_GT(vertex_count(mesh), mesh.numbering.file_vertices);
     HarmonicProblem problem; // one held vertex: through the shared corner it holds both squares
     problem.held.vertices = {0};
@@ -433,7 +289,7 @@ TEST(HarmonicWeights, OfCopiesOfASplitVertexAreOneUnknown)
 
 TEST(HarmonicWeights, RefuseTwoValuesForTheCopiesOfAVertex)
 {
-    const Mesh mesh = build_mesh(touching_squares());
+    const Mesh mesh = build_mesh(test::touching_squares(6));
     HarmonicProblem problem;
     for (Index v = 0; v < vertex_count(mesh); ++v)
         problem.held.vertices.push_back(v);
