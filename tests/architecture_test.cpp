@@ -38,6 +38,7 @@ const std::vector<Layer>& layers()
         {"libmorph/quality", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"libmorph/weights", low},
         {"libmorph/deform", with_weights},
+        {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"formats", base},
         {"tools", {"libmorph", "formats"}},
     };

@@ -104,7 +104,7 @@ struct Grid {
     double half_extent = 0;
     unsigned bits = 0;
 
-    Grid(const Points& points, int dimension, unsigned bits_a_side) : bits(bits_a_side)
+    Grid(const Eigen::Ref<const Points>& points, int dimension, unsigned bits_a_side) : bits(bits_a_side)
     {
         half_low = points.colwise().minCoeff() / 2;
         half_extent = (points.colwise().maxCoeff() / 2 - half_low).head(dimension).maxCoeff();
@@ -119,7 +119,7 @@ struct Grid {
 };
 
 template <unsigned N>
-std::vector<Index> order_along_curve(const Points& points, unsigned bits)
+std::vector<Index> order_along_curve(const Eigen::Ref<const Points>& points, unsigned bits)
 {
     static constexpr HilbertTable<N> table;
     const Grid grid(points, N, bits);
@@ -141,7 +141,7 @@ std::vector<Index> order_along_curve(const Points& points, unsigned bits)
 
 } // namespace
 
-std::vector<Index> hilbert_order(const Points& points, int dimension)
+std::vector<Index> hilbert_order(const Eigen::Ref<const Points>& points, int dimension)
 {
     if (points.rows() == 0)
         return {};

@@ -15,6 +15,6 @@ namespace morph {
 /// @param points     n x 3, finite
 /// @param dimension  2: x and y are used · 3: x, y and z
 /// @return n point numbers, first on the curve first
-std::vector<Index> hilbert_order(const Points& points, int dimension);
+std::vector<Index> hilbert_order(const Eigen::Ref<const Points>& points, int dimension);
 
 } // namespace morph
