@@ -17,7 +17,7 @@ namespace morph {
 
 namespace {
 
-constexpr Index kBlock = 16; // elements; by measurement, see tests/bench/README.md
+constexpr Index kBlock = 32; // elements; by measurement, see tests/bench/README.md
 
 using Box = Eigen::AlignedBox3d;
 using BoxKernel = CGAL::Simple_cartesian<double>;

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/remap/corner_weights.h"
+#include "libmorph/remap/inverse_distance.h"
+#include "libmorph/remap/sites.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace morph {
+
+/// Where targets outside the source get their values from.
+enum class Outside {
+    idw,     ///< the nearest targets inside, by inverse distance (thesis, 4.3)
+    nearest, ///< the nearest vertex of the source (element fields: the nearest element)
+    project, ///< the closest point of the source
+    fail,    ///< nowhere: it is an error
+};
+
+struct RemapSettings {
+    std::optional<Outside> outside; ///< default: idw for a planar source, project for a surface
+    InverseDistance inverse_distance;
+    QuadRule quads = QuadRule::bilinear;
+};
+
+/// Carries fields from one mesh to another. It keeps where the targets lie, so that further fields cost the
+/// interpolation only.
+///
+/// Nodal fields go to the vertices of the target and element fields to its elements, which take the value of
+/// the source element at their centre (mean of the corners). A target without elements takes both at its
+/// points.
+class Remapper {
+public:
+    /// @param source,target  outlive the remapper and are not moved while it lives
+    /// @throws InputError  the source has no element; a planar source and a target in space
+    Remapper(const Locator& source, const Mesh& target, const RemapSettings& settings = {});
+
+    /// The field each as it is on the target, in the same order; fields of the source in its own numbering.
+    ///
+    /// @throws InputError  a value is not finite (named with its id in the file); no target lies in the
+    /// source;
+    ///                     targets lie outside and settings.outside is fail; one name for a nodal and an
+    ///                     element field, and the target has no elements
+    std::vector<Field> carry(std::span<const Field* const> fields);
+
+    /// Where the vertices or the element centres of the target lie. Found when first asked for.
+    const Sites& sites(FieldLocation location);
+
+    /// The points that these are.
+    const Points& targets(FieldLocation location);
+
+private:
+    struct Targets {
+        Points points;
+        Sites sites;
+    };
+    const Targets& located(FieldLocation location);
+    FieldLocation place_of(const Field& field) const;
+    std::vector<Matrix> values_at(FieldLocation location, std::span<const Field* const> fields);
+    void fill_outside(const Targets& targets, std::span<const Field* const> fields,
+                      std::vector<Matrix>& values);
+    Outside outside() const;
+
+    const Locator& source_;
+    const Mesh& target_;
+    RemapSettings settings_;
+    std::optional<Targets> vertices_;
+    std::optional<Targets> centres_;
+};
+
+} // namespace morph

@@ -1,0 +1,236 @@
+// morph-remap: carry fields from one mesh to another.
+//   morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv
+#include "formats/formats.h"
+#include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
+#include "libmorph/mesh/builder.h"
+#include "libmorph/remap/remap.h"
+#include "tools/common/command_line.h"
+#include "tools/common/run.h"
+#include "tools/remap/remap_report.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+namespace {
+
+constexpr const char* kTool = "morph-remap";
+constexpr const char* kStatus = "remap_status";
+constexpr const char* kDistance = "remap_distance";
+
+const std::map<std::string, Outside> kOutsideRules{{"idw", Outside::idw},
+                                                   {"nearest", Outside::nearest},
+                                                   {"project", Outside::project},
+                                                   {"fail", Outside::fail}};
+
+struct Options {
+    std::string source;
+    std::string target;
+    std::string output;
+    std::vector<std::string> fields;
+    std::string source_fields;
+    std::string outside;
+    std::string quads = "bilinear";
+    InverseDistance inverse_distance;
+    std::string from;
+    std::string from_target;
+    std::string to;
+};
+
+void add_options(CommandLine& line, Options& options)
+{
+    CLI::App& app = line.app();
+    app.add_option("source", options.source, "Mesh with fields")->required()->type_name("SOURCE");
+    app.add_option("target", options.target, "Mesh, or list of points (.csv with columns x,y[,z])")
+        ->required()
+        ->type_name("TARGET");
+    app.add_option("-o,--output", options.output, "The target with the fields")->required()->type_name("OUT");
+    app.add_option("--fields", options.fields, "Carry only these fields (default: all)")
+        ->delimiter(',')
+        ->type_name("a,b");
+    app.add_option("--source-fields", options.source_fields,
+                   "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
+                   "thesis's function values, or a mesh file of the same mesh")
+        ->type_name("FILE");
+    app.add_option(
+           "--outside", options.outside,
+           "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
+           "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
+           "project (its closest point; default for surfaces), fail (nowhere: an error)")
+        ->check(CLI::IsMember({"idw", "nearest", "project", "fail"}));
+    app.add_option("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--power", options.inverse_distance.power, "Power of the distance in idw")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--quads", options.quads,
+                   "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"bilinear", "split"}));
+    line.add_from(options.from);
+    app.add_option("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
+        ->type_name("NAME");
+    line.add_to(options.to);
+}
+
+Mesh load_source(const Options& options)
+{
+    return read_mesh(options.source, options.from);
+}
+
+/// The fields to carry: those asked for, or all.
+std::vector<const Field*> chosen_fields(const Mesh& source, const Options& options)
+{
+    std::vector<const Field*> chosen;
+    std::vector<std::string> names;
+    for (const Field& field : source.fields) {
+        names.push_back(field.name);
+        const auto& wanted = options.fields;
+        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), field.name) != wanted.end())
+            chosen.push_back(&field);
+    }
+    const std::string& where = options.source_fields.empty() ? options.source : options.source_fields;
+    for (const std::string& name : options.fields)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw InputError(where + ": has no field '" + name + "', but " +
+                             (names.empty() ? "none at all" : joined(names)) + did_you_mean(name, names));
+    if (chosen.empty())
+        throw InputError(
+            where + ": has no fields to carry" +
+            (options.source_fields.empty() ? "; --source-fields FILE names a file that has" : ""));
+    return chosen;
+}
+
+RemapSettings settings_of(const Options& options)
+{
+    RemapSettings settings;
+    if (!options.outside.empty())
+        settings.outside = kOutsideRules.at(options.outside);
+    settings.inverse_distance = options.inverse_distance;
+    settings.quads = options.quads == "split" ? QuadRule::split : QuadRule::bilinear;
+    return settings;
+}
+
+void set_field(Mesh& mesh, Field field)
+{
+    std::erase_if(mesh.fields, [&](const Field& other) {
+        return other.name == field.name && other.location == field.location;
+    });
+    mesh.fields.push_back(std::move(field));
+}
+
+/// 0 for a target in an element, 1 for one outside.
+Field status_field(const Sites& sites)
+{
+    Field status{kStatus, FieldLocation::vertex,
+                 Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
+    for (const Index target : sites.outside)
+        status.values(target, 0) = 1;
+    return status;
+}
+
+Field distance_field(const Sites& sites)
+{
+    Field distance{kDistance, FieldLocation::vertex,
+                   Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
+    for (std::size_t i = 0; i < sites.distance.size(); ++i)
+        distance.values(static_cast<Eigen::Index>(i), 0) = sites.distance[i];
+    for (std::size_t i = 0; i < sites.outside.size(); ++i)
+        distance.values(sites.outside[i], 0) = sites.outside_feet[i].distance;
+    return distance;
+}
+
+bool tells_distance(const Mesh& source, const RemapSettings& settings)
+{
+    return source.dimension == 3 || settings.outside == Outside::project;
+}
+
+void warn_of_outside(const RemapResult& result)
+{
+    if (const std::string text = outside_warning(result.vertices, "targets"); !text.empty())
+        warn(kTool, text);
+    if (result.elements)
+        if (const std::string text = outside_warning(*result.elements, "element centres"); !text.empty())
+            warn(kTool, text);
+}
+
+/// Carries the fields and adds them, and where the targets lie, to the target.
+void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult& result)
+{
+    Stopwatch watch;
+    const std::vector<const Field*> fields = chosen_fields(source, options);
+    const RemapSettings settings = settings_of(options);
+    result.outside_rule =
+        options.outside.empty() ? (source.dimension == 2 ? "idw" : "project") : options.outside;
+    const Locator locator(source);
+    Remapper remapper(locator, target, settings);
+    const Sites& sites = remapper.sites(FieldLocation::vertex);
+    result.vertices = count_sites(sites, remapper.targets(FieldLocation::vertex), target.numbering.vertex);
+    const bool to_elements =
+        element_count(target) > 0 && std::any_of(fields.begin(), fields.end(), [](const Field* field) {
+            return field->location == FieldLocation::element;
+        });
+    if (to_elements)
+        result.elements = count_sites(remapper.sites(FieldLocation::element),
+                                      remapper.targets(FieldLocation::element), target.numbering.element);
+    result.seconds.locate = watch.lap();
+    std::vector<Field> carried = remapper.carry(fields);
+    result.seconds.interpolate = watch.lap();
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        result.fields.push_back({carried[i].name, carried[i].location, field_totals(source, *fields[i]),
+                                 field_totals(target, carried[i])});
+    for (Field& field : carried)
+        set_field(target, std::move(field));
+    set_field(target, status_field(sites));
+    if (tells_distance(source, settings))
+        set_field(target, distance_field(sites));
+}
+
+int remap(int argc, char** argv)
+{
+    Options options;
+    CommandLine line(
+        kTool,
+        "Carries fields from one mesh to another: interpolated where a target lies in an element of\n"
+        "the source, by --outside where it lies in none.",
+        "  morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv\n"
+        "writes the flow of the coarse mesh as a restart file for the fine one.");
+    add_options(line, options);
+    if (!line.parse(argc, argv))
+        return kDone;
+    Report report(line.common());
+    find_format(options.output, options.to);
+    Outputs::require_writable(options.output);
+
+    RemapResult result;
+    result.source = options.source;
+    result.target = options.target;
+    result.output = options.output;
+    Stopwatch watch;
+    const Mesh source = load_source(options);
+    Mesh target = read_mesh(options.target, options.from_target);
+    result.seconds.read = watch.lap();
+    carry(source, target, options, result);
+    watch.lap();
+    warn_of_outside(result);
+    Outputs outputs;
+    for (const std::string& warning :
+         write_mesh_data(to_data(target), outputs.open(options.output), options.to))
+        warn(kTool, warning);
+    result.seconds.write = watch.lap();
+    describe(result, report);
+    report.finish(outputs);
+    return kDone;
+}
+
+} // namespace
+} // namespace morph::tools
+
+int main(int argc, char** argv)
+{
+    return morph::tools::run("morph-remap", [&] { return morph::tools::remap(argc, argv); });
+}

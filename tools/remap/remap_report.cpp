@@ -1,0 +1,164 @@
+#include "tools/remap/remap_report.h"
+
+namespace morph::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json row_json(const Eigen::RowVectorXd& row)
+{
+    ordered_json json = ordered_json::array();
+    for (const double value : row)
+        json.push_back(value);
+    return json;
+}
+
+ordered_json totals_json(const FieldTotals& totals)
+{
+    ordered_json json{{"min", row_json(totals.min)}, {"max", row_json(totals.max)}};
+    if (totals.integral.size() > 0)
+        json["integral"] = row_json(totals.integral);
+    return json;
+}
+
+std::string place(const Eigen::RowVector3d& point)
+{
+    const std::string xy = "(" + short_number(point.x()) + ", " + short_number(point.y());
+    return point.z() == 0 ? xy + ")" : xy + ", " + short_number(point.z()) + ")";
+}
+
+std::string outside_text(const SiteCounts& counts, const std::string& what)
+{
+    const double percent = 100.0 * static_cast<double>(counts.outside) / static_cast<double>(counts.targets);
+    return std::to_string(counts.outside) + " of " + std::to_string(counts.targets) + " " + what + " (" +
+           short_number(percent) + " %) lie outside the source, the farthest, number " +
+           std::to_string(counts.farthest) + " at " + place(counts.where) + ", by " +
+           short_number(counts.distance);
+}
+
+ordered_json farthest_json(const SiteCounts& counts)
+{
+    return {{"target", counts.farthest},
+            {"x", counts.where.x()},
+            {"y", counts.where.y()},
+            {"z", counts.where.z()},
+            {"distance", counts.distance}};
+}
+
+std::string numbers(const Eigen::RowVectorXd& row)
+{
+    std::string text;
+    for (const double value : row)
+        text += (text.empty() ? "" : " ") + short_number(value);
+    return row.size() == 1 ? text : "(" + text + ")";
+}
+
+std::string range(const FieldTotals& totals)
+{
+    const std::string text = numbers(totals.min) + " to " + numbers(totals.max);
+    return totals.integral.size() == 0 ? text : text + ", integral " + numbers(totals.integral);
+}
+
+void describe_conservation(const Conservation& conservation, Report& report)
+{
+    ordered_json json{{"common_area", conservation.common_area},
+                      {"uncovered_source_area", conservation.uncovered_source},
+                      {"uncovered_target_area", conservation.uncovered_target},
+                      {"uncovered_target_elements", conservation.uncovered_elements},
+                      {"fields", ordered_json::array()}};
+    report.say("common area " + short_number(conservation.common_area) +
+               "; not covered: " + short_number(conservation.uncovered_source) + " of the source, " +
+               short_number(conservation.uncovered_target) + " of the target (" +
+               std::to_string(conservation.uncovered_elements) + " elements wholly)");
+    for (const auto& field : conservation.fields) {
+        json["fields"].push_back({{"name", field.name},
+                                  {"source_integral", row_json(field.source)},
+                                  {"target_integral", row_json(field.target)}});
+        report.say("  " + field.name + " over the common area: " + numbers(field.source) + " before, " +
+                   numbers(field.target) + " after");
+    }
+    report.json["conservation"] = std::move(json);
+}
+
+void describe_fields(const RemapResult& result, Report& report)
+{
+    report.json["fields"] = ordered_json::array();
+    report.json["changes"] = ordered_json::array();
+    for (const FieldChange& field : result.fields) {
+        report.json["fields"].push_back(field.name);
+        report.json["changes"].push_back(
+            {{"name", field.name},
+             {"location", field.location == FieldLocation::vertex ? "vertex" : "element"},
+             {"source", totals_json(field.source)},
+             {"target", totals_json(field.target)}});
+        report.say("field " + field.name + ": " + range(field.source) + "; now " + range(field.target));
+    }
+}
+
+void describe_sites(const RemapResult& result, Report& report)
+{
+    const SiteCounts& counts = result.vertices;
+    report.json["targets"] = counts.targets;
+    report.json["inside"] = counts.targets - counts.outside;
+    report.json["outside"] = counts.outside;
+    report.json["outside_rule"] = result.outside_rule;
+    if (counts.outside > 0)
+        report.json["farthest_outside"] = farthest_json(counts);
+    report.say(counts.outside == 0 ? "all " + std::to_string(counts.targets) + " targets lie in the source"
+                                   : outside_text(counts, "targets") + "; filled by " + result.outside_rule);
+    if (!result.elements)
+        return;
+    const SiteCounts& elements = *result.elements;
+    report.json["elements"] = {{"targets", elements.targets},
+                               {"inside", elements.targets - elements.outside},
+                               {"outside", elements.outside}};
+    if (elements.outside > 0)
+        report.say(outside_text(elements, "element centres"));
+}
+
+} // namespace
+
+SiteCounts count_sites(const Sites& sites, const Points& targets, const std::vector<Index>& file_numbers)
+{
+    SiteCounts counts;
+    counts.targets = sites.locations.face.size();
+    counts.outside = sites.outside.size();
+    for (std::size_t i = 0; i < sites.outside.size(); ++i) {
+        const Index number = file_numbers[static_cast<std::size_t>(sites.outside[i])];
+        const double distance = sites.outside_feet[i].distance;
+        if (counts.farthest < 0 || distance > counts.distance ||
+            (distance == counts.distance && number < counts.farthest)) {
+            counts.farthest = number;
+            counts.distance = distance;
+            counts.where = targets.row(sites.outside[i]);
+        }
+    }
+    return counts;
+}
+
+std::string outside_warning(const SiteCounts& counts, const std::string& what)
+{
+    constexpr std::size_t kOneIn = 100;
+    return counts.outside * kOneIn > counts.targets ? outside_text(counts, what) : "";
+}
+
+void describe(const RemapResult& result, Report& report)
+{
+    report.json["source"] = result.source;
+    report.json["target"] = result.target;
+    report.json["output"] = result.output;
+    describe_sites(result, report);
+    describe_fields(result, report);
+    if (result.conservation)
+        describe_conservation(*result.conservation, report);
+    const RemapSeconds& seconds = result.seconds;
+    report.json["seconds"] = {{"read", seconds.read},
+                              {"locate", seconds.locate},
+                              {"interpolate", seconds.interpolate},
+                              {"write", seconds.write}};
+    report.say("written to " + result.output + " (locate " + short_number(seconds.locate) +
+               " s, interpolate " + short_number(seconds.interpolate) + " s)");
+}
+
+} // namespace morph::tools

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "libmorph/remap/integral.h"
+#include "libmorph/remap/remap.h"
+#include "tools/common/report.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+
+/// Where the targets of one kind lie.
+struct SiteCounts {
+    std::size_t targets = 0;
+    std::size_t outside = 0;
+    Index farthest = -1;      ///< file number of the target farthest from the source; -1: none is outside
+    Eigen::RowVector3d where; ///< it lies here
+    double distance = 0;      ///< so far from the source
+};
+
+/// Smallest, largest value and integral of a field before and after.
+struct FieldChange {
+    std::string name;
+    FieldLocation location = FieldLocation::vertex;
+    FieldTotals source;
+    FieldTotals target;
+};
+
+/// How much of source and target lie on each other, and what conservative fields integrate to there.
+struct Conservation {
+    struct Integrals {
+        std::string name;
+        Eigen::RowVectorXd source; ///< over the common region
+        Eigen::RowVectorXd target;
+    };
+    double common_area = 0;
+    double uncovered_source = 0; ///< area
+    double uncovered_target = 0; ///< area
+    std::size_t uncovered_elements = 0;
+    std::vector<Integrals> fields;
+};
+
+struct RemapSeconds {
+    double read = 0;
+    double locate = 0;
+    double interpolate = 0;
+    double write = 0;
+};
+
+/// What morph-remap tells of a run.
+struct RemapResult {
+    std::string source;
+    std::string target;
+    std::string output;
+    std::string outside_rule;
+    SiteCounts vertices;
+    std::optional<SiteCounts> elements; ///< with element fields
+    std::vector<FieldChange> fields;
+    std::optional<Conservation> conservation;
+    RemapSeconds seconds;
+};
+
+/// Count the targets outside and find the farthest of them.
+/// @param file_numbers  of the targets
+SiteCounts count_sites(const Sites& sites, const Points& targets, const std::vector<Index>& file_numbers);
+
+/// "183 of 4055 targets (4.5 %) lie outside the source, ..." when more than 1 % do; else empty.
+std::string outside_warning(const SiteCounts& counts, const std::string& what);
+
+/// The result as JSON and as a summary.
+void describe(const RemapResult& result, Report& report);
+
+} // namespace morph::tools
