@@ -5,6 +5,7 @@
 #include "libmorph/core/names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -33,6 +34,36 @@ std::vector<std::string_view> cells_of(std::string_view line)
     }
 }
 
+/// The names in a header line; in quotes they may hold commas, and quotes twice.
+std::vector<std::string> header_cells(std::string_view line)
+{
+    std::vector<std::string> names(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool doubled = quoted && line.substr(i, 2) == "\"\"";
+        if (line[i] == '"' && !doubled)
+            quoted = !quoted;
+        else if (line[i] == ',' && !quoted)
+            names.emplace_back();
+        else
+            names.back() += line[i];
+        i += doubled ? 1 : 0;
+    }
+    for (std::string& name : names) {
+        const auto first = name.find_first_not_of(" \t\r");
+        const auto last = name.find_last_not_of(" \t\r");
+        name = first == std::string::npos ? "" : name.substr(first, last - first + 1);
+    }
+    return names;
+}
+
+const char* skip_blanks(const char* here, const char* end)
+{
+    while (here != end && (*here == ' ' || *here == '\t' || *here == '\r'))
+        ++here;
+    return here;
+}
+
 /// Takes the lines of a table one by one.
 class CsvParser {
 public:
@@ -44,9 +75,13 @@ public:
         if (content.empty() || content.front() == '#')
             return;
         if (table_.columns.empty())
-            take_header(line);
-        else
+            return take_header(line, number);
+        if (!take_plain_row(line)) {
+            if (is_note(content))
+                return;
             take_row(line, number);
+        }
+        table_.lines.push_back(number);
     }
 
     CsvTable finish()
@@ -60,10 +95,41 @@ public:
     }
 
 private:
-    void take_header(std::string_view line)
+    void take_header(std::string_view line, int number)
     {
-        for (const std::string_view cell : cells_of(line))
-            table_.columns.emplace_back(cell);
+        for (const std::string& name : header_cells(line)) {
+            if (std::find(table_.columns.begin(), table_.columns.end(), name) != table_.columns.end())
+                fail(number, "names the column '" + name + "' twice");
+            table_.columns.push_back(name);
+        }
+    }
+
+    /// The fast way through a row of plain finite numbers; false, and nothing is taken, for any other row.
+    bool take_plain_row(std::string_view line)
+    {
+        const std::size_t before = values_.size();
+        const char* here = line.data();
+        const char* const end = line.data() + line.size();
+        for (std::size_t c = 0; c < table_.columns.size(); ++c) {
+            double value = 0;
+            const auto [after, error] = std::from_chars(skip_blanks(here, end), end, value);
+            here = skip_blanks(after, end);
+            const bool last = c + 1 == table_.columns.size();
+            if (error != std::errc() || !std::isfinite(value) ||
+                (last ? here != end : here == end || *here++ != ',')) {
+                values_.resize(before);
+                return false;
+            }
+            values_.push_back(value);
+        }
+        return true;
+    }
+
+    /// "AOA= 1.25" and the like, which SU2 before 7.1 puts at the end of a restart file.
+    bool is_note(std::string_view content) const
+    {
+        return content.find('=') != std::string_view::npos && content.find(',') == std::string_view::npos &&
+               table_.columns.front() == "PointID";
     }
 
     void take_row(std::string_view line, int number)
@@ -74,7 +140,6 @@ private:
                              std::to_string(table_.columns.size()) + " columns");
         for (std::size_t c = 0; c < cells.size(); ++c)
             values_.push_back(number_of(cells[c], c, number));
-        table_.lines.push_back(number);
     }
 
     double number_of(std::string_view cell, std::size_t column, int line) const
@@ -97,6 +162,14 @@ private:
     std::vector<double> values_;
 };
 
+std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
 } // namespace
 
 CsvTable parse_csv_table(std::string_view bytes, const std::string& path)
@@ -115,6 +188,14 @@ CsvTable read_csv_table(const std::string& path)
 {
     const InputFile file(path);
     return parse_csv_table(file.bytes(), path);
+}
+
+std::optional<Eigen::Index> find_csv_column(const CsvTable& table, std::string_view name)
+{
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+        if (lower_case(table.columns[c]) == lower_case(name))
+            return static_cast<Eigen::Index>(c);
+    return std::nullopt;
 }
 
 Matrix csv_columns(const CsvTable& table, const std::vector<std::string>& names)

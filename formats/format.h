@@ -22,10 +22,17 @@ struct FormatCapabilities {
     bool markers = false;
     bool vertex_fields = false;
     bool element_fields = false;
+    bool elements = true; ///< false: points only, which nobody takes for a mesh
 };
 
 struct WriteOptions {
     bool binary = true; ///< where the format has both
+};
+
+/// A file that goes with a mesh file and holds what that cannot.
+struct Companion {
+    std::string suffix; ///< of its name, in place of the mesh file's extension: ".neighbours.txt"
+    std::function<void(const MeshData&, OutputFile&)> write;
 };
 
 /// One file format: a row of the table by extension. Each formats/NAME.cpp defines one of these, and
@@ -42,6 +49,9 @@ struct Format {
 
     /// What else of this mesh the format cannot hold, each for "FORMAT cannot hold …"; may be empty.
     std::function<std::vector<std::string>(const MeshData&, const WriteOptions&)> losses = nullptr;
+
+    /// The files that are written with one of this mesh; what they hold counts as held by the format.
+    std::function<std::vector<Companion>(const MeshData&)> companions = nullptr;
 };
 
 /// Every format, in the order of formats/CMakeLists.txt.

@@ -67,6 +67,8 @@ std::vector<std::string> losses(const MeshData& data, const Format& format, cons
 {
     std::vector<std::string> lost;
     const std::string cannot = std::string(format.name) + " cannot hold ";
+    if (!format.holds.elements && !data.elements.empty())
+        lost.push_back(cannot + std::to_string(data.elements.size()) + " element(s)");
     if (!format.holds.markers && !data.markers.empty()) {
         std::vector<std::string> names;
         for (const Marker& m : data.markers)
@@ -110,7 +112,11 @@ MeshData read_mesh_data(const std::string& path, const std::string& format)
 
 Mesh read_mesh(const std::string& path, const std::string& format)
 {
-    MeshData data = read_mesh_data(path, format);
+    return build_mesh_of(read_mesh_data(path, format), path);
+}
+
+Mesh build_mesh_of(MeshData data, const std::string& path)
+{
     try {
         return build_mesh(std::move(data));
     } catch (const InputError& error) {
@@ -124,25 +130,30 @@ std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, c
     return write_mesh_data(to_data(mesh), path, format, options);
 }
 
-std::vector<std::string> write_mesh_data(const MeshData& data, OutputFile& file, const std::string& format,
-                                         const WriteOptions& options)
+std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, OutputFiles& files,
+                                         const std::string& format, const WriteOptions& options)
 {
-    const Format& writer = find_format(file.path(), format);
-    require_surface_fits(data, writer, file.path());
-    writer.write(data, options, file);
+    const Format& writer = find_format(path, format);
+    require_surface_fits(data, writer, path);
+    writer.write(data, options, files.open(path));
+    if (writer.companions)
+        for (const Companion& companion : writer.companions(data)) {
+            std::filesystem::path beside(path);
+            beside.replace_extension();
+            companion.write(data, files.open(beside.string() + companion.suffix));
+        }
     std::vector<std::string> warnings = losses(data, writer, options);
     for (std::string& warning : warnings)
-        warning.insert(0, file.path() + ": ");
+        warning.insert(0, path + ": ");
     return warnings;
 }
 
 std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path,
                                          const std::string& format, const WriteOptions& options)
 {
-    find_format(path, format); // before a file is made
-    OutputFile file(path);
-    std::vector<std::string> warnings = write_mesh_data(data, file, format, options);
-    file.commit();
+    OutputFiles files;
+    std::vector<std::string> warnings = write_mesh_data(data, path, files, format, options);
+    files.commit();
     return warnings;
 }
 

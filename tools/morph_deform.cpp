@@ -78,11 +78,11 @@ CaseFile case_with_options(const Options& options)
 void require_outputs_writable(const Options& options, const CaseFile& file)
 {
     find_format(file.output_mesh, options.to);
-    Outputs::require_writable(file.output_mesh);
+    OutputFiles::require_writable(file.output_mesh);
     if (options.save_weights.empty())
         return;
     find_format(options.save_weights, "");
-    Outputs::require_writable(options.save_weights);
+    OutputFiles::require_writable(options.save_weights);
 }
 
 Mesh load_mesh(const CaseFile& file, const std::string& from)
@@ -90,14 +90,15 @@ Mesh load_mesh(const CaseFile& file, const std::string& from)
     return file.generate ? build_mesh(generate_mesh(file)) : read_mesh(file.mesh_file, from);
 }
 
-void stage_mesh(const MeshData& data, const std::string& path, const std::string& format, Outputs& outputs)
+void stage_mesh(const MeshData& data, const std::string& path, const std::string& format,
+                OutputFiles& outputs)
 {
-    for (const std::string& warning : write_mesh_data(data, outputs.open(path), format))
+    for (const std::string& warning : write_mesh_data(data, path, outputs, format))
         warn(kTool, warning);
 }
 
 /// The undeformed mesh with the weights in the place of its own fields.
-void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, Outputs& outputs)
+void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, OutputFiles& outputs)
 {
     std::vector<Field> fields = weight_fields(weights);
     fields.swap(mesh.fields);
@@ -167,7 +168,7 @@ int deform(int argc, char** argv)
                                                     : load_weights(options.weights, mesh, placed);
     result.weights = check_weights(weights, placed);
     result.seconds.weights = watch.lap();
-    Outputs outputs;
+    OutputFiles outputs;
     if (!options.save_weights.empty())
         stage_weights(mesh, weights, options.save_weights, outputs);
     result.seconds.write = watch.lap();

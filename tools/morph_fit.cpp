@@ -1,13 +1,13 @@
 // morph-fit: a case file for a mesh that has no curves yet.
 //   morph-fit naca0012.su2 --marker airfoil --points 20 -o naca0012.toml
 #include "formats/formats.h"
+#include "formats/output_files.h"
 #include "libmorph/basis/fit.h"
 #include "libmorph/core/error.h"
 #include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/mesh/chain.h"
 #include "tools/case/case_text.h"
 #include "tools/common/command_line.h"
-#include "tools/common/outputs.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
@@ -178,7 +178,7 @@ void warn_of_crossings(const std::vector<FittedMarker>& markers)
 int fit(const Options& options, const CommonOptions& common)
 {
     Report report(common);
-    Outputs::require_writable(options.output);
+    OutputFiles::require_writable(options.output);
     Stopwatch watch;
     const Mesh mesh = read_mesh(options.mesh, options.from);
     const double read = watch.lap();
@@ -195,7 +195,7 @@ int fit(const Options& options, const CommonOptions& common)
     warn_of_crossings(fitted);
     const double fit = watch.lap();
 
-    Outputs outputs;
+    OutputFiles outputs;
     outputs.open(options.output)
         .append(case_text(kTool, path_from(options.mesh, options.output), deformed_name(options.mesh),
                           boundaries));

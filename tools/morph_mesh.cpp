@@ -57,7 +57,7 @@ int mesh_case(const Settings& settings, const CommonOptions& common)
 {
     find_format(settings.output, settings.to);
     Report report(common);
-    Outputs::require_writable(settings.output);
+    OutputFiles::require_writable(settings.output);
 
     Stopwatch watch;
     const CaseFile file = read_case_file(settings.case_file);
@@ -65,8 +65,8 @@ int mesh_case(const Settings& settings, const CommonOptions& common)
     const MeshData mesh = generate_mesh(file);
     const double meshed = watch.lap();
 
-    Outputs outputs;
-    for (const std::string& warning : write_mesh_data(mesh, outputs.open(settings.output), settings.to))
+    OutputFiles outputs;
+    for (const std::string& warning : write_mesh_data(mesh, settings.output, outputs, settings.to))
         warn("morph-mesh", warning);
     describe(mesh, settings, report);
     report.json["seconds"] = {{"read", read}, {"mesh", meshed}, {"write", watch.lap()}};

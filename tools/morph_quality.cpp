@@ -126,8 +126,8 @@ void set_field(MeshData& data, const std::string& name, Matrix values)
 }
 
 /// The mesh with each metric as an element field.
-void write_metrics(OutputFile& file, MeshData data, const std::vector<ElementQuality>& quality,
-                   std::vector<Metric> columns)
+void write_metrics(const std::string& path, OutputFiles& outputs, MeshData data,
+                   const std::vector<ElementQuality>& quality, std::vector<Metric> columns)
 {
     columns.insert(columns.begin(),
                    {"inverted", [](const ElementQuality& q) { return q.inverted ? 1.0 : 0.0; }});
@@ -137,8 +137,8 @@ void write_metrics(OutputFile& file, MeshData data, const std::vector<ElementQua
             values(static_cast<Index>(id), 0) = metric.value(quality[id]);
         set_field(data, metric.name, std::move(values));
     }
-    for (const std::string& loss : write_mesh_data(data, file, "vtu"))
-        warn(kTool, file.path() + ": " + loss);
+    for (const std::string& warning : write_mesh_data(data, path, outputs, "vtu"))
+        warn(kTool, warning);
 }
 
 /// Metrics of every element in the order of the file.
@@ -150,7 +150,7 @@ std::vector<ElementQuality> in_file_order(const Mesh& mesh, const std::vector<El
     return ordered;
 }
 
-void write_elements(const Options& options, Outputs& outputs, const Mesh& mesh, const MeshData& data,
+void write_elements(const Options& options, OutputFiles& outputs, const Mesh& mesh, const MeshData& data,
                     const PositionsView* reference)
 {
     if (options.list.empty() && options.vtu.empty())
@@ -160,14 +160,14 @@ void write_elements(const Options& options, Outputs& outputs, const Mesh& mesh, 
     if (!options.list.empty())
         write_list(outputs.open(options.list), data, quality, columns);
     if (!options.vtu.empty())
-        write_metrics(outputs.open(options.vtu), data, quality, columns);
+        write_metrics(options.vtu, outputs, data, quality, columns);
 }
 
-QualityReport check(const Options& options, Outputs& outputs)
+QualityReport check(const Options& options, OutputFiles& outputs)
 {
     for (const std::string& path : {options.list, options.vtu})
         if (!path.empty())
-            Outputs::require_writable(path);
+            OutputFiles::require_writable(path);
     const Mesh mesh = read_mesh(options.mesh, options.from);
     if (options.list.empty() && options.vtu.empty() && options.reference.empty())
         return quality_report(mesh);
@@ -205,7 +205,7 @@ int quality(int argc, char** argv)
         return kDone;
 
     Report report(line.common());
-    Outputs outputs;
+    OutputFiles outputs;
     const QualityReport result = check(options, outputs);
     report.json = quality_json(result);
     for (const std::string& text : quality_summary(result))

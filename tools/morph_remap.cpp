@@ -1,6 +1,9 @@
 // morph-remap: carry fields from one mesh to another.
 //   morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv
+#include "formats/field_file.h"
 #include "formats/formats.h"
+#include "formats/input_file.h"
+#include "formats/tuc_files.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/builder.h"
@@ -32,6 +35,7 @@ struct Options {
     std::string output;
     std::vector<std::string> fields;
     std::string source_fields;
+    std::string source_neighbors;
     std::string outside;
     std::string quads = "bilinear";
     InverseDistance inverse_distance;
@@ -77,9 +81,37 @@ void add_options(CommandLine& line, Options& options)
     line.add_to(options.to);
 }
 
-Mesh load_source(const Options& options)
+/// The source with the fields of --source-fields in the place of its own of the same names.
+Mesh load_source(Options& options)
 {
-    return read_mesh(options.source, options.from);
+    MeshData data = read_mesh_data(options.source, options.from);
+    if (!options.source_fields.empty()) {
+        FieldFile file = read_fields(options.source_fields, data);
+        if (file.su2_restart && options.to.empty() && find_format(options.output, "").name == "csv")
+            options.to = "su2_restart";
+        for (Field& field : file.fields) {
+            std::erase_if(data.fields, [&](const Field& own) { return own.name == field.name; });
+            data.fields.push_back(std::move(field));
+        }
+    }
+    Mesh source = build_mesh_of(std::move(data), options.source);
+    if (!options.source_neighbors.empty()) {
+        const InputFile file(options.source_neighbors);
+        check_tuc_neighbors({options.source_neighbors, file.bytes()}, source);
+    }
+    return source;
+}
+
+/// What goes into the output: a format of points alone gets no more, without a word about it.
+MeshData output_data(const Mesh& target, const Options& options)
+{
+    MeshData data = to_data(target);
+    if (!find_format(options.output, options.to).holds.elements) {
+        data.elements.clear();
+        data.markers.clear();
+        data.carried.clear();
+    }
+    return data;
 }
 
 /// The fields to carry: those asked for, or all.
@@ -204,7 +236,7 @@ int remap(int argc, char** argv)
         return kDone;
     Report report(line.common());
     find_format(options.output, options.to);
-    Outputs::require_writable(options.output);
+    OutputFiles::require_writable(options.output);
 
     RemapResult result;
     result.source = options.source;
@@ -217,9 +249,9 @@ int remap(int argc, char** argv)
     carry(source, target, options, result);
     watch.lap();
     warn_of_outside(result);
-    Outputs outputs;
+    OutputFiles outputs;
     for (const std::string& warning :
-         write_mesh_data(to_data(target), outputs.open(options.output), options.to))
+         write_mesh_data(output_data(target, options), options.output, outputs, options.to))
         warn(kTool, warning);
     result.seconds.write = watch.lap();
     describe(result, report);

@@ -158,9 +158,9 @@ int view(int argc, char** argv)
         options.picture.zoom = parse_zoom(options.zoom);
     refuse_case_files(options.meshes);
     const picture::ImageKind kind = image_kind(options.out);
-    Outputs::require_writable(options.out);
+    OutputFiles::require_writable(options.out);
     Report report(line.common());
-    Outputs outputs;
+    OutputFiles outputs;
     const std::vector<Mesh> meshes = read_meshes(options);
     std::vector<picture::Subject> subjects;
     for (std::size_t i = 0; i < meshes.size(); ++i)

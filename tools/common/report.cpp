@@ -9,7 +9,7 @@ namespace morph::tools {
 Report::Report(const CommonOptions& options) : options_(options)
 {
     if (!options_.json.empty() && options_.json != "-")
-        Outputs::require_writable(options_.json);
+        OutputFiles::require_writable(options_.json);
 }
 
 void Report::say(const std::string& line)
@@ -19,11 +19,11 @@ void Report::say(const std::string& line)
 
 void Report::finish()
 {
-    Outputs none;
+    OutputFiles none;
     finish(none);
 }
 
-void Report::finish(Outputs& outputs)
+void Report::finish(OutputFiles& outputs)
 {
     // Names from a file may hold bytes that are not UTF-8; they must not stop the report.
     const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "formats/output_files.h"
 #include "tools/common/command_line.h"
-#include "tools/common/outputs.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +25,7 @@ public:
     void say(const std::string& line);
 
     /// Add the JSON to the tool's files, commit them all, and print the summary. Call it once, at the end.
-    void finish(Outputs& outputs);
+    void finish(OutputFiles& outputs);
 
     /// As finish(outputs), for a tool with no files of its own.
     void finish();

@@ -1,18 +1,18 @@
-#include "tools/common/outputs.h"
+#include "formats/output_files.h"
 
-namespace morph::tools {
+namespace morph {
 
-void Outputs::require_writable(const std::string& path)
+void OutputFiles::require_writable(const std::string& path)
 {
     const OutputFile probe(path); // goes again without a trace
 }
 
-OutputFile& Outputs::open(const std::string& path)
+OutputFile& OutputFiles::open(const std::string& path)
 {
     return *files_.emplace_back(std::make_unique<OutputFile>(path));
 }
 
-void Outputs::commit()
+void OutputFiles::commit()
 {
     for (const auto& file : files_) // a full disk shows here, before any file has its name
         file->close();
@@ -21,4 +21,4 @@ void Outputs::commit()
     files_.clear();
 }
 
-} // namespace morph::tools
+} // namespace morph

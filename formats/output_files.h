@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// The files a tool writes: all of them appear together at the end, or none does.
-class Outputs {
+/// Files that are written together: all of them appear together at the end, or none does.
+class OutputFiles {
 public:
     /// Make sure that @p path can be written, before work that would be lost.
     /// @throws InputError  it cannot
@@ -25,4 +25,4 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
-} // namespace morph::tools
+} // namespace morph
