@@ -59,6 +59,9 @@ void add_options(CommandLine& line, Options& options)
                    "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
                    "thesis's function values, or a mesh file of the same mesh")
         ->type_name("FILE");
+    app.add_option("--source-neighbors", options.source_neighbors,
+                   "The thesis's list of neighbours, to be checked against the source")
+        ->type_name("FILE.txt");
     app.add_option(
            "--outside", options.outside,
            "Where targets outside the source get values from: idw (the nearest targets inside, by\n"

@@ -46,11 +46,10 @@ Vector2d solve(Vector2d a, Vector2d b, Vector2d r)
 CornerWeights triangle_weights(const PlaneElement& element, const std::array<int, 3>& triangle, PlanePoint p)
 {
     const auto at = [&](std::size_t k) { return element.corner[static_cast<std::size_t>(triangle[k])]; };
-    const Vector2d w = solve(vector(at(0), at(1)), vector(at(0), at(2)), vector(at(0), p));
+    const std::array<double, 3> coordinates = barycentric(at(0), at(1), at(2), p);
     CornerWeights weights{};
-    weights[static_cast<std::size_t>(triangle[0])] = 1 - w.x() - w.y();
-    weights[static_cast<std::size_t>(triangle[1])] = w.x();
-    weights[static_cast<std::size_t>(triangle[2])] = w.y();
+    for (std::size_t k = 0; k < 3; ++k)
+        weights[static_cast<std::size_t>(triangle[k])] = coordinates[k];
     return weights;
 }
 
@@ -119,6 +118,12 @@ CornerWeights bilinear_weights(const PlaneElement& quad, PlanePoint p)
 }
 
 } // namespace
+
+std::array<double, 3> barycentric(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint p)
+{
+    const Vector2d w = solve(vector(a, b), vector(a, c), vector(a, p));
+    return {1 - w.x() - w.y(), w.x(), w.y()};
+}
 
 CornerWeights corner_weights(const PlaneElement& element, PlanePoint p, QuadRule rule)
 {

@@ -14,6 +14,11 @@ enum class QuadRule {
     split,    ///< linear in each of the triangles 1 2 3 and 1 3 4, as in the thesis (4.2)
 };
 
+/// Barycentric coordinates of @p p in triangle a b c: they sum to 1, and the corners weighted by them give
+/// the point, both to rounding also in slivers, whose single coordinates rounding may move by more. Outside
+/// of the triangle some are negative. Without area, they are those along a side.
+std::array<double, 3> barycentric(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint p);
+
 /// Weights of the corners of an element at a point in it; the fourth of a triangle is 0.
 ///
 /// They sum to 1, and the corners weighted by them give the point; both to rounding also in slivers, whose
