@@ -38,6 +38,8 @@ struct Options {
     std::string source_neighbors;
     std::string outside;
     std::string quads = "bilinear";
+    std::string cells = "sample";
+    bool conservative = false;
     InverseDistance inverse_distance;
     std::string from;
     std::string from_target;
@@ -78,6 +80,14 @@ void add_options(CommandLine& line, Options& options)
                    "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
         ->capture_default_str()
         ->check(CLI::IsMember({"bilinear", "split"}));
+    app.add_option(
+           "--cells", options.cells,
+           "Element fields: sample (the value at the centre of each target element), or conservative\n"
+           "(the mean over what the source covers of it, which keeps the integral)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"sample", "conservative"}));
+    app.add_flag("--conservative", options.conservative,
+                 "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
     line.add_from(options.from);
     app.add_option("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
         ->type_name("NAME");
@@ -146,6 +156,8 @@ RemapSettings settings_of(const Options& options)
     if (!options.outside.empty())
         settings.outside = kOutsideRules.at(options.outside);
     settings.inverse_distance = options.inverse_distance;
+    settings.conserve_nodal = options.conservative;
+    settings.conserve_elements = options.cells == "conservative";
     settings.quads = options.quads == "split" ? QuadRule::split : QuadRule::bilinear;
     return settings;
 }
@@ -214,6 +226,8 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
                                       remapper.targets(FieldLocation::element), target.numbering.element);
     result.seconds.locate = watch.lap();
     std::vector<Field> carried = remapper.carry(fields);
+    result.nodal_conservation = remapper.conservation(FieldLocation::vertex);
+    result.element_conservation = remapper.conservation(FieldLocation::element);
     result.seconds.interpolate = watch.lap();
     for (std::size_t i = 0; i < fields.size(); ++i)
         result.fields.push_back({carried[i].name, carried[i].location, field_totals(source, *fields[i]),

@@ -182,7 +182,28 @@ std::vector<Field> Remapper::carry(std::span<const Field* const> fields)
     return carried;
 }
 
+const std::optional<Conservation>& Remapper::conservation(FieldLocation location) const
+{
+    return location == FieldLocation::vertex ? nodal_conservation_ : element_conservation_;
+}
+
 std::vector<Matrix> Remapper::values_at(FieldLocation location, std::span<const Field* const> fields)
+{
+    const bool nodal = location == FieldLocation::vertex;
+    if (!(nodal ? settings_.conserve_nodal : settings_.conserve_elements))
+        return interpolated(location, fields);
+    ConservedFields conserved = conserve_fields(source_, target_, fields);
+    (nodal ? nodal_conservation_ : element_conservation_) = std::move(conserved.summary);
+    if (!conserved.uncovered.empty()) {
+        const std::vector<Matrix> others = interpolated(location, fields);
+        for (std::size_t f = 0; f < fields.size(); ++f)
+            for (const Index row : conserved.uncovered)
+                conserved.values[f].row(row) = others[f].row(row);
+    }
+    return std::move(conserved.values);
+}
+
+std::vector<Matrix> Remapper::interpolated(FieldLocation location, std::span<const Field* const> fields)
 {
     const Targets& targets = located(location);
     const Mesh& source = source_.source();

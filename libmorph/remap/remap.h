@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/remap/conserve_fields.h"
 #include "libmorph/remap/corner_weights.h"
 #include "libmorph/remap/inverse_distance.h"
 #include "libmorph/remap/sites.h"
@@ -23,6 +24,8 @@ struct RemapSettings {
     std::optional<Outside> outside; ///< default: idw for a planar source, project for a surface
     InverseDistance inverse_distance;
     QuadRule quads = QuadRule::bilinear;
+    bool conserve_nodal = false;    ///< keep the integrals of nodal fields instead of interpolating
+    bool conserve_elements = false; ///< keep those of element fields instead of sampling at centres
 };
 
 /// Carries fields from one mesh to another. It keeps where the targets lie, so that further fields cost the
@@ -45,6 +48,9 @@ public:
     ///                     element field, and the target has no elements
     std::vector<Field> carry(std::span<const Field* const> fields);
 
+    /// What came of keeping integrals in the last carry(), for the fields of that location.
+    const std::optional<Conservation>& conservation(FieldLocation location) const;
+
     /// Where the vertices or the element centres of the target lie. Found when first asked for.
     const Sites& sites(FieldLocation location);
 
@@ -59,6 +65,7 @@ private:
     const Targets& located(FieldLocation location);
     FieldLocation place_of(const Field& field) const;
     std::vector<Matrix> values_at(FieldLocation location, std::span<const Field* const> fields);
+    std::vector<Matrix> interpolated(FieldLocation location, std::span<const Field* const> fields);
     void fill_outside(const Targets& targets, std::span<const Field* const> fields,
                       std::vector<Matrix>& values);
     Outside outside() const;
@@ -68,6 +75,8 @@ private:
     RemapSettings settings_;
     std::optional<Targets> vertices_;
     std::optional<Targets> centres_;
+    std::optional<Conservation> nodal_conservation_;
+    std::optional<Conservation> element_conservation_;
 };
 
 } // namespace morph

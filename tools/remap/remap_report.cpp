@@ -37,6 +37,14 @@ std::string outside_text(const SiteCounts& counts, const std::string& what)
            short_number(counts.distance);
 }
 
+/// What the common area leaves of an area; less than rounding is nothing.
+double uncovered(double whole, const CommonArea& area)
+{
+    constexpr double kRounding = 1e-13;
+    const double rest = whole - area.common;
+    return rest > kRounding * whole ? rest : 0;
+}
+
 ordered_json farthest_json(const SiteCounts& counts)
 {
     return {{"target", counts.farthest},
@@ -60,25 +68,27 @@ std::string range(const FieldTotals& totals)
     return totals.integral.size() == 0 ? text : text + ", integral " + numbers(totals.integral);
 }
 
-void describe_conservation(const Conservation& conservation, Report& report)
+void describe_conservation(const Conservation& conservation, const std::string& key, const std::string& what,
+                           Report& report)
 {
-    ordered_json json{{"common_area", conservation.common_area},
-                      {"uncovered_source_area", conservation.uncovered_source},
-                      {"uncovered_target_area", conservation.uncovered_target},
-                      {"uncovered_target_elements", conservation.uncovered_elements},
+    const CommonArea& area = conservation.area;
+    ordered_json json{{"common_area", area.common},
+                      {"uncovered_source_area", uncovered(area.source, area)},
+                      {"uncovered_target_area", uncovered(area.target, area)},
+                      {"uncovered_" + what, conservation.uncovered},
                       {"fields", ordered_json::array()}};
-    report.say("common area " + short_number(conservation.common_area) +
-               "; not covered: " + short_number(conservation.uncovered_source) + " of the source, " +
-               short_number(conservation.uncovered_target) + " of the target (" +
-               std::to_string(conservation.uncovered_elements) + " elements wholly)");
+    report.say("common area " + short_number(area.common) +
+               "; not covered: " + short_number(uncovered(area.source, area)) + " of the source, " +
+               short_number(uncovered(area.target, area)) + " of the target; " +
+               std::to_string(conservation.uncovered) + " " + what + " wholly");
     for (const auto& field : conservation.fields) {
-        json["fields"].push_back({{"name", field.name},
+        json["fields"].push_back({{"name", field.field},
                                   {"source_integral", row_json(field.source)},
                                   {"target_integral", row_json(field.target)}});
-        report.say("  " + field.name + " over the common area: " + numbers(field.source) + " before, " +
+        report.say("  integral of " + field.field + " over it: " + numbers(field.source) + " before, " +
                    numbers(field.target) + " after");
     }
-    report.json["conservation"] = std::move(json);
+    report.json[key] = std::move(json);
 }
 
 void describe_fields(const RemapResult& result, Report& report)
@@ -150,8 +160,10 @@ void describe(const RemapResult& result, Report& report)
     report.json["output"] = result.output;
     describe_sites(result, report);
     describe_fields(result, report);
-    if (result.conservation)
-        describe_conservation(*result.conservation, report);
+    if (result.nodal_conservation)
+        describe_conservation(*result.nodal_conservation, "nodal_conservation", "vertices", report);
+    if (result.element_conservation)
+        describe_conservation(*result.element_conservation, "element_conservation", "elements", report);
     const RemapSeconds& seconds = result.seconds;
     report.json["seconds"] = {{"read", seconds.read},
                               {"locate", seconds.locate},

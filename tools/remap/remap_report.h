@@ -27,20 +27,6 @@ struct FieldChange {
     FieldTotals target;
 };
 
-/// How much of source and target lie on each other, and what conservative fields integrate to there.
-struct Conservation {
-    struct Integrals {
-        std::string name;
-        Eigen::RowVectorXd source; ///< over the common region
-        Eigen::RowVectorXd target;
-    };
-    double common_area = 0;
-    double uncovered_source = 0; ///< area
-    double uncovered_target = 0; ///< area
-    std::size_t uncovered_elements = 0;
-    std::vector<Integrals> fields;
-};
-
 struct RemapSeconds {
     double read = 0;
     double locate = 0;
@@ -57,7 +43,8 @@ struct RemapResult {
     SiteCounts vertices;
     std::optional<SiteCounts> elements; ///< with element fields
     std::vector<FieldChange> fields;
-    std::optional<Conservation> conservation;
+    std::optional<Conservation> nodal_conservation;
+    std::optional<Conservation> element_conservation;
     RemapSeconds seconds;
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "libmorph/remap/conserve.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace morph {
+
+/// What came of keeping the integrals of fields.
+struct Conservation {
+    struct Integrals {
+        std::string field;
+        Eigen::RowVectorXd source; ///< over the common region
+        Eigen::RowVectorXd target;
+    };
+    CommonArea area;
+    std::size_t uncovered = 0; ///< elements (nodal fields: vertices) of the target that nothing covers
+    std::vector<Integrals> fields;
+};
+
+/// Fields of one location carried together, see conserve.h.
+struct ConservedFields {
+    std::vector<Matrix> values;   ///< for each field, rows of the target
+    std::vector<Index> uncovered; ///< rows to be filled from elsewhere
+    Conservation summary;
+};
+
+/// @param fields  all nodal, or all of elements
+/// @throws InputError  a surface in space, a target without elements, no area in common; see also conserve.h
+ConservedFields conserve_fields(const Locator& source, const Mesh& target,
+                                std::span<const Field* const> fields);
+
+} // namespace morph
