@@ -1,9 +1,9 @@
 // The cases of the thesis's chapter 4, rebuilt: a velocity carried between two meshes of one domain, both
 // ways.
-//   sh examples/04_remap/run.sh build/bin out/remap
+//   sh examples/remap/run.sh build/bin out/remap
 // Before: remap_cases make OUT writes the meshes. After morph-remap has carried the velocity between them,
 // remap_cases table OUT compares what came out with the velocity itself.
-#include "examples/04_remap/cases.h"
+#include "examples/remap/cases.h"
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remap/integral.h"
@@ -48,27 +48,43 @@ double l2(const Mesh& mesh, Field error)
     return std::sqrt(field_totals(mesh, error).integral[0] / field_totals(mesh, one).integral[0]);
 }
 
-void print_row(const std::string& name, const std::string& from, const std::string& to, Mesh& mesh)
+/// What the table says of one result, which gets its error as a field.
+struct Errors {
+    Index targets = 0;
+    int outside = 0;
+    double largest_inside = 0;
+    double largest_outside = 0;
+    double mean_square = 0; ///< its square root
+};
+
+Errors errors_in(const std::string& file)
 {
+    Mesh mesh = read_mesh(file);
     const Field error = error_of(mesh);
     const Matrix& status = find_field(mesh.fields, "remap_status", FieldLocation::vertex)->values;
-    const double inside = (1 - status.array()).cwiseProduct(error.values.array()).maxCoeff();
-    const double outside = status.cwiseProduct(error.values).maxCoeff();
-    std::printf("| %s | %s to %s | %d | %d | %.2e | %.2e | %.2e |\n", name.c_str(), from.c_str(), to.c_str(),
-                vertex_count(mesh), static_cast<int>(status.sum()), inside, outside, l2(mesh, error));
+    Errors errors;
+    errors.targets = vertex_count(mesh);
+    errors.outside = static_cast<int>(status.sum());
+    errors.largest_inside = ((1 - status.array()) * error.values.array()).maxCoeff();
+    errors.largest_outside = status.cwiseProduct(error.values).maxCoeff();
+    errors.mean_square = l2(mesh, error);
     mesh.fields.push_back(error);
+    write_mesh(mesh, file);
+    return errors;
 }
 
 void table(const std::string& folder)
 {
-    std::puts("| case | direction | target nodes | of them outside | largest error inside | outside | L2 |\n"
-              "| --- | --- | --- | --- | --- | --- | --- |");
+    std::puts(
+        "| case | direction | targets | outside | largest error inside | outside, idw | outside, project | "
+        "L2, idw | L2, project |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for (const std::string name : {"pipe_triangles", "pipe_quads", "airfoil_hybrid"})
-        for (const auto& [from, to] : {std::pair{"coarse", "fine"}, std::pair{"fine", "coarse"}}) {
-            const std::string file = folder + "/" + name + "_" + from + "_to_" + to + ".vtu";
-            Mesh mesh = read_mesh(file);
-            print_row(name, from, to, mesh);
-            write_mesh(mesh, file);
+        for (const std::string way : {"coarse_to_fine", "fine_to_coarse"}) {
+            const std::string file = folder + "/" + name + "_" + way + "_";
+            const Errors idw = errors_in(file + "idw.vtu"), project = errors_in(file + "project.vtu");
+            std::printf("| %s | %s | %d | %d | %.2e | %.2e | %.2e | %.2e | %.2e |\n", name.c_str(),
+                        way.c_str(), idw.targets, idw.outside, idw.largest_inside, idw.largest_outside,
+                        project.largest_outside, idw.mean_square, project.mean_square);
         }
 }
 

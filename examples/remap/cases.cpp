@@ -1,4 +1,4 @@
-#include "examples/04_remap/cases.h"
+#include "examples/remap/cases.h"
 
 #include "libmorph/geometry/mesh_domain.h"
 
