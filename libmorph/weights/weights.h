@@ -2,6 +2,8 @@
 
 #include "libmorph/mesh/mesh.h"
 
+#include <Eigen/SparseCore>
+
 #include <string>
 #include <vector>
 
@@ -20,6 +22,13 @@ struct ControlPoint {
 struct Weights {
     std::vector<ControlPoint> columns; ///< K
     Matrix values;                     ///< n x K, row = vertex of the mesh
+};
+
+/// The same where a vertex follows few of the control points, as in a lattice of B-splines: only weights that
+/// are not zero are stored.
+struct SparseWeights {
+    std::vector<ControlPoint> columns;                          ///< K
+    Eigen::SparseMatrix<double, Eigen::RowMajor, Index> values; ///< n x K, row = vertex of the mesh
 };
 
 } // namespace morph
