@@ -55,9 +55,9 @@ CornerWeights triangle_weights(const PlaneElement& element, const std::array<int
 
 CornerWeights split_weights(const PlaneElement& quad, Diagonal diagonal, PlanePoint p)
 {
-    const auto [first, second] = halves(diagonal);
-    const auto at = [&](std::size_t k) { return quad.corner[static_cast<std::size_t>(first[k])]; };
-    return triangle_weights(quad, triangle_contains(at(0), at(1), at(2), p) ? first : second, p);
+    const auto triangle = halves(diagonal);
+    const auto at = [&](std::size_t k) { return quad.corner[static_cast<std::size_t>(triangle[0][k])]; };
+    return triangle_weights(quad, triangle[triangle_contains(at(0), at(1), at(2), p) ? 0 : 1], p);
 }
 
 /// The bilinear map of a quad from (u, v) in the unit square: a + u e + v f + u v g.
