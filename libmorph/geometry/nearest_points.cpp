@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace morph {
@@ -16,6 +17,12 @@ namespace {
 
 constexpr std::size_t kGrain = 256; // queries
 constexpr int kLeaf = 10;           // points; by measurement
+
+// FLANN passes over what is no nearer than the farthest it was told, and its distance to a box, added up on
+// the way down the tree, may round by a unit in the last place a level. Told a little more, it lets pass
+// whatever is equally far.
+constexpr double kReach = 1 + 1e-12;
+constexpr double kLeastReach = std::numeric_limits<double>::min();
 
 using FlannTree = flann::KDTreeSingleIndex<flann::L2_Simple<double>>;
 
@@ -27,6 +34,60 @@ int scale_exponent(const Eigen::Ref<const Points>& points)
     std::frexp(points.cwiseAbs().maxCoeff(), &exponent);
     return exponent;
 }
+
+struct Candidate {
+    double distance2;
+    Index point;
+
+    bool operator<(const Candidate& other) const
+    {
+        return distance2 != other.distance2 ? distance2 < other.distance2 : point < other.point;
+    }
+};
+
+/// Keeps the first k candidates by distance and row. FLANN's own result sets keep, of those equally far at
+/// the k-th place, what its tree comes upon first. Here k more are taken in before the last are dropped.
+class FirstCandidates final : public flann::ResultSet<double> {
+public:
+    explicit FirstCandidates(std::size_t k) : k_(k) { candidates_.reserve(2 * k); }
+
+    void clear()
+    {
+        candidates_.clear();
+        reach_ = std::numeric_limits<double>::infinity();
+    }
+
+    bool full() const override { return candidates_.size() >= k_; }
+    double worstDist() const override { return reach_; }
+
+    void addPoint(double distance2, std::size_t point) override
+    {
+        candidates_.push_back({distance2, static_cast<Index>(point)});
+        if (candidates_.size() == 2 * k_)
+            drop_last();
+    }
+
+    const std::vector<Candidate>& sorted()
+    {
+        if (candidates_.size() > k_)
+            drop_last();
+        std::sort(candidates_.begin(), candidates_.end());
+        return candidates_;
+    }
+
+private:
+    void drop_last()
+    {
+        const auto kth = candidates_.begin() + static_cast<std::ptrdiff_t>(k_) - 1;
+        std::nth_element(candidates_.begin(), kth, candidates_.end());
+        candidates_.resize(k_);
+        reach_ = candidates_.back().distance2 * kReach + kLeastReach;
+    }
+
+    std::size_t k_;
+    double reach_ = 0;
+    std::vector<Candidate> candidates_;
+};
 
 } // namespace
 
@@ -47,29 +108,20 @@ public:
     void visit_block(const Eigen::Ref<const Points>& queries, std::size_t begin, std::size_t end,
                      std::size_t k, const Visit& visit) const
     {
-        const std::size_t found = std::min(k, static_cast<std::size_t>(coordinates_.rows()));
-        Matrix block(static_cast<Eigen::Index>(end - begin), dimension_);
-        for (std::size_t q = begin; q < end; ++q)
-            for (Eigen::Index c = 0; c < dimension_; ++c)
-                block(static_cast<Eigen::Index>(q - begin), c) =
-                    scaled(queries(static_cast<Eigen::Index>(q), c));
-        std::vector<std::size_t> points(found * (end - begin));
-        std::vector<double> distances2(points.size());
-        flann::Matrix<std::size_t> point_table(points.data(), end - begin, found);
-        flann::Matrix<double> distance_table(distances2.data(), end - begin, found);
-        index_.knnSearch(table(block), point_table, distance_table, found,
-                         flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
-        std::vector<Neighbor> neighbors(found);
+        const flann::SearchParams exact(flann::FLANN_CHECKS_UNLIMITED);
+        FirstCandidates first(std::min(k, static_cast<std::size_t>(coordinates_.rows())));
+        std::vector<Neighbor> neighbors;
         for (std::size_t q = begin; q < end; ++q) {
-            const double height = dimension_ == 2 ? queries(static_cast<Eigen::Index>(q), 2) : 0;
-            for (std::size_t i = 0; i < found; ++i) {
-                const std::size_t at = (q - begin) * found + i;
-                const double distance = std::ldexp(std::sqrt(distances2[at]), exponent_);
-                neighbors[i] = {static_cast<Index>(points[at]), std::hypot(distance, height)};
+            const Eigen::RowVector3d query = queries.row(static_cast<Eigen::Index>(q));
+            const Eigen::RowVector3d at = query.unaryExpr([&](double c) { return scaled(c); });
+            first.clear();
+            index_.findNeighbors(first, at.data(), exact);
+            const double height = dimension_ == 2 ? query.z() : 0;
+            neighbors.clear();
+            for (const Candidate& found : first.sorted()) {
+                const double distance = std::ldexp(std::sqrt(found.distance2), exponent_);
+                neighbors.push_back({found.point, std::hypot(distance, height)});
             }
-            std::sort(neighbors.begin(), neighbors.end(), [](const Neighbor& a, const Neighbor& b) {
-                return a.distance != b.distance ? a.distance < b.distance : a.point < b.point;
-            });
             visit(static_cast<Index>(q), neighbors);
         }
     }
@@ -77,7 +129,7 @@ public:
     bool reaches(const Eigen::RowVector3d& query) const
     {
         constexpr double kFarthest = 1e150; // its square is still a number
-        return std::ldexp(query.cwiseAbs().maxCoeff(), -exponent_) < kFarthest;
+        return query.allFinite() && std::ldexp(query.cwiseAbs().maxCoeff(), -exponent_) < kFarthest;
     }
 
 private:

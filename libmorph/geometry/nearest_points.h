@@ -29,8 +29,8 @@ public:
     using Visit = std::function<void(Index query, std::span<const Neighbor> neighbors)>;
 
     /// Call visit with the k nearest points of each query (all of them when there are fewer), nearest first,
-    /// equally near ones by their row. Which of those that are equally far at the k-th place are among them
-    /// is the same in every run.
+    /// equally near ones by their row: the first k of that order, at the k-th place too. Distances below
+    /// 1e-150 of the largest coordinate count as none.
     ///
     /// Queries are handled in blocks on every core, so that no more than a block's neighbours are in memory,
     /// and visit is called from several threads, each query once.

@@ -78,10 +78,30 @@ TEST(NearestPoints, GivesAllPointsWhereThereAreFewerThanAskedFor)
 TEST(NearestPoints, PutsEqualPointsInTheOrderOfTheirRows)
 {
     const Points points = Points::Constant(5000, 3, 0.25);
-    const auto found = nearest(points, points.topRows(1), 5000)[0];
-    ASSERT_EQ(found.size(), 5000U);
-    for (std::size_t i = 0; i < found.size(); ++i)
-        ASSERT_EQ(found[i].point, static_cast<Index>(i));
+    for (const int k : {1, 7, 5000}) {
+        const auto found = nearest(points, points.topRows(1), k)[0];
+        ASSERT_EQ(found.size(), static_cast<std::size_t>(k));
+        for (std::size_t i = 0; i < found.size(); ++i)
+            ASSERT_EQ(found[i].point, static_cast<Index>(i));
+    }
+}
+
+TEST(NearestPoints, TakesTheLowestRowsOfThoseEquallyFarAtTheLastPlace)
+{
+    for (const int dimension : {2, 3}) {
+        // Eighths have exact squares, so that equal distances are equal in the reference too.
+        const auto rounded = [](const Points& points) -> Points { return (points.array() * 8).round() / 8; };
+        const Points points = rounded(random_points(2000, dimension, 1, 5));
+        const Points queries = rounded(random_points(100, dimension, 4, 6));
+        for (const int k : {1, 2, 30}) {
+            const auto found = nearest(points, queries, k);
+            for (Index q = 0; q < queries.rows(); ++q) {
+                const auto expected = sorted_by_distance(points, queries.row(q));
+                for (std::size_t i = 0; i < static_cast<std::size_t>(k); ++i)
+                    ASSERT_EQ(found[static_cast<std::size_t>(q)][i].point, expected[i]);
+            }
+        }
+    }
 }
 
 TEST(NearestPoints, CountsTheHeightOfAQueryAbovePlanarPoints)
@@ -117,6 +137,12 @@ TEST(NearestPoints, RefusesWhatHasNoNearest)
     Points far = Points::Constant(1, 3, 1e200);
     EXPECT_EQ(test::message_of([&] { nearest(points, far, 1); }),
               "point 0 is not finite, or too far from the others to tell which are near");
+    for (int c = 0; c < 3; ++c) {
+        Points query = Points::Zero(2, 3);
+        query(1, c) = NAN;
+        EXPECT_EQ(test::message_of([&] { nearest(points, query, 1); }),
+                  "point 1 is not finite, or too far from the others to tell which are near");
+    }
     points(1, 2) = INFINITY;
     EXPECT_EQ(test::message_of([&] { NearestPoints{points}; }),
               "point 1 has a coordinate that is not finite");
