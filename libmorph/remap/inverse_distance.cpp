@@ -11,7 +11,7 @@ namespace morph {
 
 namespace {
 
-void require_valid(const std::vector<Index>& known, const InverseDistance& settings)
+void require_valid(const InverseDistance& settings)
 {
     if (settings.neighbors < 1)
         throw InputError("inverse distance weighting needs at least 1 neighbour, not " +
@@ -19,8 +19,23 @@ void require_valid(const std::vector<Index>& known, const InverseDistance& setti
     if (!(settings.power > 0) || !std::isfinite(settings.power))
         throw InputError("the power of inverse distance weighting is " + std::to_string(settings.power) +
                          ", but a positive number was expected");
+}
+
+void require_fit(Eigen::Index points, const std::vector<Index>& known, const std::vector<Index>& unknown,
+                 std::span<const Matrix> values)
+{
     if (known.empty())
         throw InputError("no value is known to weight by inverse distance");
+    for (const auto* rows : {&known, &unknown})
+        for (const Index row : *rows)
+            if (row < 0 || row >= points)
+                throw InputError("row " + std::to_string(row) +
+                                 " of the values is asked for, but there are " + std::to_string(points) +
+                                 " points");
+    for (const Matrix& matrix : values)
+        if (matrix.rows() != points)
+            throw InputError("there are values for " + std::to_string(matrix.rows()) + " points, but " +
+                             std::to_string(points) + " points");
 }
 
 /// The weights of the neighbours, nearest first, as part of the nearest's: no power of a distance can
@@ -60,7 +75,8 @@ void fill_by_inverse_distance(const Eigen::Ref<const Points>& positions, const s
                               const std::vector<Index>& unknown, const InverseDistance& settings,
                               std::span<Matrix> values)
 {
-    require_valid(known, settings);
+    require_valid(settings);
+    require_fit(positions.rows(), known, unknown, values);
     const NearestPoints nearest(positions(known, Eigen::all));
     nearest.nearest(positions(unknown, Eigen::all), settings.neighbors,
                     [&](Index query, std::span<const NearestPoints::Neighbor> neighbors) {

@@ -25,7 +25,8 @@ struct InverseDistance {
 /// @param known      rows whose values are given, at least one
 /// @param unknown    rows to fill, none of them known
 /// @param values     matrices of n rows each, any number of columns
-/// @throws InputError  no known point; neighbors or power out of range; see NearestPoints
+/// @throws InputError  no known point; neighbors, power or a row out of range; a matrix without n rows; see
+///                     NearestPoints
 void fill_by_inverse_distance(const Eigen::Ref<const Points>& positions, const std::vector<Index>& known,
                               const std::vector<Index>& unknown, const InverseDistance& settings,
                               std::span<Matrix> values);

@@ -3,6 +3,7 @@
 #include "libmorph/core/parallel.h"
 #include "tests/support/errors.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,11 +88,35 @@ TEST(InverseDistance, TakesTheValueOfAKnownPointAtItsPlace)
     EXPECT_EQ(filled.row(401), cloud.values.row(398)); // of two points in one place the lower row
 }
 
+TEST(InverseDistance, TakesTheLowestOfMorePointsInOnePlaceThanNeighbours)
+{
+    Cloud cloud(400, 2);
+    cloud.positions.topRows(300).rowwise() = Eigen::RowVector3d(0.5, 0.5, 0);
+    cloud.positions.row(400) << 0.5, 0.5, 0;
+    EXPECT_EQ(cloud.filled().row(400), cloud.values.row(0));
+    EXPECT_EQ(cloud.filled({1, 5}).row(400), cloud.values.row(0));
+}
+
 TEST(InverseDistance, DoesNotDependOnTheUnitOfLength)
 {
     const Matrix metres = Cloud(300, 20).filled({100, 5});
     for (const double scale : {0x1p-300, 0x1p300}) // powers of two, so that the points are the same ones
         EXPECT_EQ(Cloud(300, 20, scale).filled({100, 5}), metres);
+}
+
+TEST(InverseDistance, DoesNotDependOnWhereThePointsLieAndHowTheyAreTurned)
+{
+    Cloud cloud(300, 50);
+    const Matrix here = cloud.filled();
+    // Moving rounds positions by some 1e-16; distances are 1e-3 or more and enter with the power 5.
+    constexpr double kRoundOff = 1e-12;
+    const Points positions = cloud.positions;
+    cloud.positions.rowwise() += Eigen::RowVector3d(-3, 0.7, 0);
+    EXPECT_LE((cloud.filled() - here).norm(), kRoundOff * here.norm());
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+    cloud.positions = positions * turn.transpose(); // out of the plane: the tree is one of space now
+    EXPECT_LE((cloud.filled() - here).norm(), kRoundOff * here.norm());
 }
 
 TEST(InverseDistance, WithOneNeighbourIsTheNearestValue)
@@ -123,6 +148,17 @@ TEST(InverseDistance, RefusesSettingsWithoutMeaning)
                   cloud.filled({100, -1});
               }),
               "the power of inverse distance weighting is -1.000000, but a positive number was expected");
+}
+
+TEST(InverseDistance, RefusesRowsAndValuesThatDoNotFit)
+{
+    Cloud cloud(10, 2);
+    cloud.unknown.push_back(12);
+    EXPECT_EQ(test::message_of([&] { cloud.filled(); }),
+              "row 12 of the values is asked for, but there are 12 points");
+    cloud.unknown.pop_back();
+    cloud.values.conservativeResize(11, 3);
+    EXPECT_EQ(test::message_of([&] { cloud.filled(); }), "there are values for 11 points, but 12 points");
     cloud.known.clear();
     EXPECT_EQ(test::message_of([&] { cloud.filled(); }), "no value is known to weight by inverse distance");
 }
