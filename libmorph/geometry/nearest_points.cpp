@@ -45,16 +45,17 @@ struct Candidate {
     }
 };
 
-/// Keeps the first k candidates by distance and row. FLANN's own result sets keep, of those equally far at
-/// the k-th place, what its tree comes upon first. Here k more are taken in before the last are dropped.
+/// Keeps the first k candidates by distance and row; FLANN's own result sets keep, of those equally far at
+/// the k-th place, what its tree comes upon first. Takes in up to 2 k before it drops the last of them.
 class FirstCandidates final : public flann::ResultSet<double> {
 public:
     explicit FirstCandidates(std::size_t k) : k_(k) { candidates_.reserve(2 * k); }
 
-    void clear()
+    /// Start over; all of the first k are known to lie @p within a distance.
+    void clear(double within)
     {
         candidates_.clear();
-        reach_ = std::numeric_limits<double>::infinity();
+        reach_ = widened(within * within);
     }
 
     bool full() const override { return candidates_.size() >= k_; }
@@ -81,8 +82,10 @@ private:
         const auto kth = candidates_.begin() + static_cast<std::ptrdiff_t>(k_) - 1;
         std::nth_element(candidates_.begin(), kth, candidates_.end());
         candidates_.resize(k_);
-        reach_ = candidates_.back().distance2 * kReach + kLeastReach;
+        reach_ = widened(candidates_.back().distance2);
     }
+
+    static double widened(double distance2) { return distance2 * kReach + kLeastReach; }
 
     std::size_t k_;
     double reach_ = 0;
@@ -111,17 +114,22 @@ public:
         const flann::SearchParams exact(flann::FLANN_CHECKS_UNLIMITED);
         FirstCandidates first(std::min(k, static_cast<std::size_t>(coordinates_.rows())));
         std::vector<Neighbor> neighbors;
+        // As many points lie within the farthest's distance of the query before, so within that and the way
+        // from there of this one: a bound from the start for queries that follow a curve.
+        Eigen::RowVector3d before = Eigen::RowVector3d::Zero();
+        double farthest = std::numeric_limits<double>::infinity();
         for (std::size_t q = begin; q < end; ++q) {
             const Eigen::RowVector3d query = queries.row(static_cast<Eigen::Index>(q));
             const Eigen::RowVector3d at = query.unaryExpr([&](double c) { return scaled(c); });
-            first.clear();
+            first.clear(farthest + (at - before).norm());
             index_.findNeighbors(first, at.data(), exact);
             const double height = dimension_ == 2 ? query.z() : 0;
             neighbors.clear();
             for (const Candidate& found : first.sorted()) {
-                const double distance = std::ldexp(std::sqrt(found.distance2), exponent_);
-                neighbors.push_back({found.point, std::hypot(distance, height)});
+                farthest = std::sqrt(found.distance2);
+                neighbors.push_back({found.point, std::hypot(std::ldexp(farthest, exponent_), height)});
             }
+            before = at;
             visit(static_cast<Index>(q), neighbors);
         }
     }
