@@ -1,37 +1,12 @@
 // Carrying fields from one mesh to another: locating and interpolating, sorting and any index included.
-#include "libmorph/mesh/builder.h"
 #include "libmorph/remap/interpolate.h"
-#include "tests/bench/bench_meshes.h"
 #include "tests/bench/peak_memory.h"
+#include "tests/bench/remap_inputs.h"
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <random>
-
 namespace morph::bench {
 namespace {
-
-Points random_points(Index count)
-{
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    Points targets = Points::Zero(count, 3);
-    for (Index i = 0; i < count; ++i)
-        targets.row(i) << uniform(random), uniform(random), 0;
-    return targets;
-}
-
-Mesh source_mesh(Index vertices)
-{
-    Mesh mesh = build_mesh(triangulated_square(vertices, Order::shuffled));
-    const auto x = points(mesh).col(0).array(), y = points(mesh).col(1).array();
-    Matrix velocity(vertex_count(mesh), 3);
-    velocity << x.sin(), y.cos(), x * y;
-    mesh.fields = {{"pressure", FieldLocation::vertex, (x * x + y).matrix()},
-                   {"velocity", FieldLocation::vertex, velocity}};
-    return mesh;
-}
 
 /// As many random targets as the source has vertices; a scalar and a vector field.
 void BM_LocateAndInterpolate(benchmark::State& state)
