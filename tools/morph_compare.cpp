@@ -1,0 +1,127 @@
+// morph-compare: the same change by several methods, side by side.
+//   morph-compare examples/02_thesis_case2/case.toml --methods harmonic,harmonic-distance --page compare.html
+#include "formats/formats.h"
+#include "libmorph/core/names.h"
+#include "libmorph/mesh/builder.h"
+#include "tools/case/generate_mesh.h"
+#include "tools/common/command_line.h"
+#include "tools/common/report.h"
+#include "tools/common/run.h"
+#include "tools/compare/comparison.h"
+#include "tools/compare/page.h"
+
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+namespace {
+
+constexpr const char* kTool = "morph-compare";
+
+struct Options {
+    std::string case_file;
+    std::vector<std::string> methods;
+    std::vector<double> moves{1};
+    std::string page;
+    std::string from;
+};
+
+std::string methods_help()
+{
+    std::string text = "Which methods (default: all):";
+    for (const CompareMethod& method : compare_methods())
+        text += "\n" + method.name + " (" + method.description + ")";
+    return text;
+}
+
+void add_options(CommandLine& line, Options& options)
+{
+    CLI::App& app = line.app();
+    app.add_option("case", options.case_file, "Case file, as for morph-deform")
+        ->required()
+        ->type_name("CASE.toml");
+    app.add_option("--methods", options.methods, methods_help())->delimiter(',')->type_name("a,b");
+    app.add_option("--moves", options.moves,
+                   "How many times the displacements of the case; several are several tables")
+        ->delimiter(',')
+        ->type_name("1,2,...");
+    app.add_option("--page", options.page, "Write tables and pictures as a page of HTML")
+        ->type_name("OUT.html");
+    line.add_from(options.from);
+}
+
+std::vector<const CompareMethod*> chosen_methods(const Options& options)
+{
+    std::vector<const CompareMethod*> chosen;
+    for (const std::string& name : options.methods)
+        chosen.push_back(&compare_method(name));
+    if (chosen.empty())
+        for (const CompareMethod& method : compare_methods())
+            chosen.push_back(&method);
+    return chosen;
+}
+
+ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
+                          const std::vector<const CompareMethod*>& methods)
+{
+    for (BoundaryEntry& boundary : file.boundaries)
+        boundary.displacements *= factor;
+    const PlacedCase placed = place_case(mesh, file);
+    for (const std::string& crossing : boundary_crossings(placed))
+        warn(kTool, crossing + ": no valid mesh exists");
+    ComparedMove move{factor, {}};
+    for (const CompareMethod* method : methods)
+        move.rows.push_back(compare(mesh, placed, file, *method));
+    return move;
+}
+
+void describe(const Options& options, const std::vector<ComparedMove>& moves, Report& report)
+{
+    report.json["case"] = options.case_file;
+    report.json["moves"] = nlohmann::ordered_json::array();
+    for (const ComparedMove& move : moves) {
+        report.json["moves"].push_back(comparison_json(move));
+        if (moves.size() > 1)
+            report.say(short_number(move.factor) + " times the move of the case");
+        for (const std::string& line : comparison_lines(move))
+            report.say(line);
+    }
+}
+
+int compare_methods_of(int argc, char** argv)
+{
+    CommandLine line(
+        kTool,
+        "The same move of the boundary by several methods: how well the boundary comes out, what becomes\n"
+        "of the elements, and what it costs.",
+        "  morph-compare case.toml --methods harmonic,harmonic-distance --moves 0.5,1,2 --page compare.html");
+    Options options;
+    add_options(line, options);
+    if (!line.parse(argc, argv))
+        return kDone;
+    const std::vector<const CompareMethod*> methods = chosen_methods(options);
+    Report report(line.common());
+    if (!options.page.empty())
+        OutputFiles::require_writable(options.page);
+    const CaseFile file = read_case_file(options.case_file);
+    Mesh mesh = file.generate ? build_mesh(generate_mesh(file)) : read_mesh(file.mesh_file, options.from);
+    std::vector<ComparedMove> moves;
+    for (const double factor : options.moves)
+        moves.push_back(compare_move(mesh, file, factor, methods));
+    OutputFiles outputs;
+    if (!options.page.empty())
+        outputs.open(options.page)
+            .append(comparison_page({options.case_file, file.generate ? "generated mesh" : file.mesh_file},
+                                    mesh, moves));
+    describe(options, moves, report);
+    report.finish(outputs);
+    return kDone;
+}
+
+} // namespace
+} // namespace morph::tools
+
+int main(int argc, char** argv)
+{
+    return morph::tools::run("morph-compare", [&] { return morph::tools::compare_methods_of(argc, argv); });
+}
