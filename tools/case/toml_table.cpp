@@ -11,6 +11,16 @@
 
 namespace morph::tools {
 
+namespace {
+
+/// "a pair [x, y]", or "[i, j, dx, dy]".
+std::string row_example(const std::vector<std::string>& columns)
+{
+    return (columns.size() == 2 ? "a pair [x, y]" : "[" + joined(columns) + "]");
+}
+
+} // namespace
+
 TomlTable::TomlTable(const toml::table& table, std::string path, std::string name)
     : table_(table), path_(std::move(path)), name_(std::move(name))
 {
@@ -138,31 +148,40 @@ std::optional<std::string> TomlTable::choice(const std::string& key,
 
 std::optional<Points2> TomlTable::pairs(const std::string& key, const std::vector<std::string>& columns) const
 {
+    const std::optional<Matrix> found = rows(key, columns);
+    return found ? std::optional<Points2>(*found) : std::nullopt;
+}
+
+std::optional<Matrix> TomlTable::rows(const std::string& key, const std::vector<std::string>& columns) const
+{
     const toml::node* node = table_.get(key);
     if (!node)
         return std::nullopt;
-    return node->is_table() ? pairs_from_file(key, columns) : pairs_from_array(key);
+    return node->is_table() ? rows_from_file(key, columns) : rows_from_array(key, columns);
 }
 
-Points2 TomlTable::pairs_from_array(const std::string& key) const
+Matrix TomlTable::rows_from_array(const std::string& key, const std::vector<std::string>& columns) const
 {
-    const std::string expected = "a list of pairs [[x, y], ...] or { file = \"points.csv\" }";
+    const bool pairs = columns.size() == 2;
+    const std::string expected = std::string(pairs ? "a list of pairs [[x, y], ...]"
+                                                   : "a list of rows [[" + joined(columns) + "], ...]") +
+                                 " or { file = \"points.csv\" }";
     const toml::array& items = array(key, expected);
-    Points2 pairs(static_cast<Eigen::Index>(items.size()), 2);
+    Matrix found(static_cast<Eigen::Index>(items.size()), static_cast<Eigen::Index>(columns.size()));
     Eigen::Index row = 0;
     for (const toml::node& item : items) {
-        const toml::array* pair = item.as_array();
+        const toml::array* numbers = item.as_array();
         const std::string what = label(key) + ", entry " + std::to_string(row + 1) + ",";
-        if (!pair || pair->size() != 2)
-            fail(line_of(item), what + " must be a pair [x, y]");
-        for (std::size_t c = 0; c < 2; ++c)
-            pairs(row, static_cast<Eigen::Index>(c)) = finite((*pair)[c], what);
+        if (!numbers || numbers->size() != columns.size())
+            fail(line_of(item), what + " must be " + row_example(columns));
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            found(row, static_cast<Eigen::Index>(c)) = finite((*numbers)[c], what);
         ++row;
     }
-    return pairs;
+    return found;
 }
 
-Points2 TomlTable::pairs_from_file(const std::string& key, const std::vector<std::string>& columns) const
+Matrix TomlTable::rows_from_file(const std::string& key, const std::vector<std::string>& columns) const
 {
     const TomlTable source(*table_.get(key)->as_table(), path_, label(key));
     source.require_known({"file", "columns"});
@@ -170,10 +189,11 @@ Points2 TomlTable::pairs_from_file(const std::string& key, const std::vector<std
     if (!file)
         source.fail_missing("file", "{ file = \"points.csv\", columns = [\"x\", \"y\"] }");
     const auto names = source.strings("columns").value_or(columns);
-    if (names.size() != 2)
-        source.fail(source.line("columns"), label(key) + " columns must be two names");
-    const Matrix rows = csv_columns(read_csv_table(beside(path_, *file)), names);
-    return rows;
+    if (names.size() != columns.size())
+        source.fail(source.line("columns"),
+                    label(key) + " columns must be " +
+                        (columns.size() == 2 ? "two" : std::to_string(columns.size())) + " names");
+    return csv_columns(read_csv_table(beside(path_, *file)), names);
 }
 
 std::optional<TomlTable> TomlTable::table(const std::string& key, const std::string& name) const

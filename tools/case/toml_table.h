@@ -37,6 +37,8 @@ public:
     /// [[x, y], ...], or { file = "points.csv", columns = ["x", "y"] } with the path relative to this file;
     /// @p columns are the defaults.
     std::optional<Points2> pairs(const std::string& key, const std::vector<std::string>& columns) const;
+    /// [[a, b, ...], ...] with as many numbers in each row as there are @p columns, or a file as above.
+    std::optional<Matrix> rows(const std::string& key, const std::vector<std::string>& columns) const;
     std::optional<TomlTable> table(const std::string& key, const std::string& name) const;
     /// [[key]] entries, none when the key is missing.
     std::vector<TomlTable> tables(const std::string& key) const;
@@ -51,8 +53,8 @@ private:
     std::string label(const std::string& key) const { return name_ + " " + key; }
     double finite(const toml::node& node, const std::string& what) const;
     const toml::array& array(const std::string& key, const std::string& expected) const;
-    Points2 pairs_from_array(const std::string& key) const;
-    Points2 pairs_from_file(const std::string& key, const std::vector<std::string>& columns) const;
+    Matrix rows_from_array(const std::string& key, const std::vector<std::string>& columns) const;
+    Matrix rows_from_file(const std::string& key, const std::vector<std::string>& columns) const;
 
     const toml::table& table_;
     std::string path_;
