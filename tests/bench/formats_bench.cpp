@@ -64,8 +64,51 @@ void BM_CopyFile(benchmark::State& state)
     report_bytes(state, file.path);
 }
 
+/// A million points with three scalar fields: five columns of numbers of full length.
+struct LargeTable {
+    std::string path = "/dev/shm/morph_formats_bench.csv";
+    MeshData mesh;
+
+    LargeTable()
+    {
+        mesh.points = bench::triangulated_annulus(1000000, bench::Order::shuffled).points;
+        const auto x = mesh.points.col(0).array(), y = mesh.points.col(1).array();
+        mesh.fields = {{"density", FieldLocation::vertex, (x * x + y).matrix()},
+                       {"pressure", FieldLocation::vertex, (1e5 * x.sin()).matrix()},
+                       {"temperature", FieldLocation::vertex, (300 + y.cos()).matrix()}};
+        write_mesh_data(mesh, path);
+    }
+    ~LargeTable() { std::filesystem::remove(path); }
+    LargeTable(const LargeTable&) = delete;
+    LargeTable& operator=(const LargeTable&) = delete;
+};
+
+const LargeTable& large_table()
+{
+    static const LargeTable table;
+    return table;
+}
+
+void BM_ReadCsv(benchmark::State& state)
+{
+    const LargeTable& table = large_table();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(read_mesh_data(table.path));
+    report_bytes(state, table.path);
+}
+
+void BM_WriteCsv(benchmark::State& state)
+{
+    const LargeTable& table = large_table();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(write_mesh_data(table.mesh, table.path));
+    report_bytes(state, table.path);
+}
+
 BENCHMARK(BM_ReadSu2)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WriteSu2)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ReadCsv)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WriteCsv)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_CopyFile)->Unit(benchmark::kMillisecond);
 
 } // namespace
