@@ -8,7 +8,7 @@ namespace {
 
 MeshData read_csv(const InputBytes& file)
 {
-    return mesh_of(csv_nodes(parse_csv_table(file.bytes, file.path)), file.path);
+    return csv_mesh(parse_csv_table(file.bytes, file.path));
 }
 
 void write_csv(const MeshData& mesh, const WriteOptions&, OutputFile& out)

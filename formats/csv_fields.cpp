@@ -3,7 +3,12 @@
 #include "formats/number_text.h"
 #include "formats/surface.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <string>
 
 namespace morph {
@@ -12,143 +17,175 @@ namespace {
 
 constexpr Eigen::Index kMostComponents = 9;
 
+[[noreturn]] void fail(const CsvTable& table, int line, const std::string& message)
+{
+    throw InputError(table.path + ":" + std::to_string(line) + ": " + message);
+}
+
+/// The vertex a row is for: a whole number below the number of rows.
+std::size_t vertex_of(const CsvTable& table, Eigen::Index row, Eigen::Index column)
+{
+    const double id = table.rows(row, column);
+    const auto count = static_cast<double>(table.rows.rows());
+    if (!(id >= 0 && id < count && id == std::floor(id)))
+        fail(table, table.lines[static_cast<std::size_t>(row)],
+             "PointID is " + exact_text(id) + ", but the " + std::to_string(table.rows.rows()) +
+                 " row(s) must have the numbers from 0, each once");
+    return static_cast<std::size_t>(id);
+}
+
 /// Row of the table for each vertex.
 std::vector<Eigen::Index> rows_by_id(const CsvTable& table, Eigen::Index column)
 {
-    std::vector<Eigen::Index> row(static_cast<std::size_t>(table.rows.rows()), -1);
+    std::vector<Eigen::Index> rows(static_cast<std::size_t>(table.rows.rows()), -1);
     for (Eigen::Index r = 0; r < table.rows.rows(); ++r) {
-        const double id = table.rows(r, column);
-        const std::string line = table.path + ":" + std::to_string(table.lines[static_cast<std::size_t>(r)]);
-        if (!(id >= 0 && id < static_cast<double>(row.size()) &&
-              id == static_cast<double>(static_cast<Index>(id))))
-            throw InputError(line + ": " + table.columns[static_cast<std::size_t>(column)] +
-                             " is not one of the " + "numbers from 0 to " + std::to_string(row.size() - 1) +
-                             ", one for each of the table's rows");
-        Eigen::Index& place = row[static_cast<std::size_t>(id)];
-        if (place >= 0)
-            throw InputError(line + ": " + table.columns[static_cast<std::size_t>(column)] + " " +
-                             std::to_string(static_cast<Index>(id)) +
-                             " is there a second time; the first was in line " +
-                             std::to_string(table.lines[static_cast<std::size_t>(place)]));
-        place = r;
+        const std::size_t vertex = vertex_of(table, r, column);
+        if (rows[vertex] >= 0)
+            fail(table, table.lines[static_cast<std::size_t>(r)],
+                 "PointID " + std::to_string(vertex) + " is there again, after line " +
+                     std::to_string(table.lines[static_cast<std::size_t>(rows[vertex])]));
+        rows[vertex] = r;
     }
-    return row;
+    return rows;
 }
 
 std::vector<Eigen::Index> rows_in_order(const CsvTable& table)
 {
-    std::vector<Eigen::Index> rows;
-    for (Eigen::Index r = 0; r < table.rows.rows(); ++r)
-        rows.push_back(r);
+    std::vector<Eigen::Index> rows(static_cast<std::size_t>(table.rows.rows()));
+    std::iota(rows.begin(), rows.end(), Eigen::Index{0});
     return rows;
 }
 
-/// How many columns from @p first on are called base_0, base_1, ...; 0 when the first is not.
-Eigen::Index components_from(const CsvTable& table, std::size_t first, std::string& base)
+bool has_column(const CsvTable& table, const std::string& name)
+{
+    return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
+}
+
+/// A field and how many columns it takes.
+struct FieldColumns {
+    std::string name;
+    Eigen::Index count = 1;
+};
+
+/// The field that begins with column @p first.
+FieldColumns field_columns(const CsvTable& table, std::size_t first)
 {
     const std::string& name = table.columns[first];
     if (name.size() < 3 || !name.ends_with("_0"))
-        return 0;
-    base = name.substr(0, name.size() - 2);
-    Eigen::Index count = 1;
-    while (count < kMostComponents && first + static_cast<std::size_t>(count) < table.columns.size() &&
-           table.columns[first + static_cast<std::size_t>(count)] == base + "_" + std::to_string(count))
-        ++count;
-    return count;
+        return {name};
+    FieldColumns field{name.substr(0, name.size() - 2)};
+    const auto is_next = [&](std::size_t column) {
+        return column < table.columns.size() &&
+               table.columns[column] == field.name + "_" + std::to_string(field.count);
+    };
+    while (is_next(first + static_cast<std::size_t>(field.count)))
+        ++field.count;
+    const bool is_vector =
+        field.count >= 2 && field.count <= kMostComponents && !has_column(table, field.name);
+    return is_vector ? field : FieldColumns{name};
 }
 
 std::vector<Field> fields_of(const CsvTable& table, const std::vector<Eigen::Index>& rows,
                              const std::vector<bool>& taken)
 {
     std::vector<Field> fields;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        if (taken[c])
+    for (std::size_t c = 0; c < table.columns.size();) {
+        if (taken[c]) {
+            ++c;
             continue;
-        std::string name;
-        Eigen::Index components = components_from(table, c, name);
-        if (components < 2) { // v_0 alone is a name like any other
-            components = 1;
-            name = table.columns[c];
         }
-        fields.push_back({name, FieldLocation::vertex,
-                          table.rows.middleCols(static_cast<Eigen::Index>(c), components)(rows, Eigen::all)});
-        c += static_cast<std::size_t>(components) - 1;
+        const FieldColumns columns = field_columns(table, c);
+        if (columns.name.empty())
+            fail(table, table.header_line, "column " + std::to_string(c + 1) + " has no name");
+        fields.push_back(
+            {columns.name, FieldLocation::vertex,
+             table.rows.middleCols(static_cast<Eigen::Index>(c), columns.count)(rows, Eigen::all)});
+        c += static_cast<std::size_t>(columns.count);
     }
     return fields;
 }
 
-/// The name as a cell of the header: in quotes where a comma, a quote or a blank at its ends needs it.
+/// The name as a cell of the header: in quotes where a comma, a quote or a blank needs it.
 std::string header_cell(const std::string& name, bool always_quoted)
 {
-    std::string cell;
+    if (!always_quoted && name.find_first_of(",\" \t") == std::string::npos)
+        return name;
+    std::string cell = "\"";
     for (const char c : name)
-        cell += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-    const bool plain =
-        !name.empty() && name.front() != '#' && name.find_first_of(",\" \t") == std::string::npos;
-    return plain && !always_quoted ? cell : '"' + cell + '"';
+        cell += c == '"' ? "\"\"" : std::string(1, c);
+    return cell + '"';
 }
 
-std::string header(const MeshData& mesh, bool as_restart)
+/// The columns of the nodal fields, in their order.
+std::vector<std::string> field_column_names(const MeshData& mesh)
 {
-    std::vector<std::string> names{"x", "y"};
-    if (as_restart)
-        names.insert(names.begin(), "PointID");
-    if (mesh.dimension == 3)
-        names.emplace_back("z");
+    std::vector<std::string> names;
     for (const Field& field : mesh.fields) {
         if (field.location != FieldLocation::vertex)
             continue;
         if (field.values.cols() == 1)
             names.push_back(field.name);
-        for (Eigen::Index c = 0; c < field.values.cols() && field.values.cols() > 1; ++c)
-            names.push_back(field.name + "_" + std::to_string(c));
+        else
+            for (Eigen::Index c = 0; c < field.values.cols(); ++c)
+                names.push_back(field.name + "_" + std::to_string(c));
     }
-    std::string line;
+    return names;
+}
+
+void require_legible(const std::string& name, const std::string& path)
+{
+    if (name.empty() || name.find_first_of("\r\n") != std::string::npos)
+        throw InputError(path + ": csv cannot hold a field whose name is empty or has a line end; rename it");
+    constexpr std::array<std::string_view, 4> kNoFields{"x", "y", "z", "PointID"};
+    const auto taken = std::find_if(kNoFields.begin(), kNoFields.end(), [&](std::string_view column) {
+        return equals_without_case(name, column);
+    });
+    if (taken != kNoFields.end())
+        throw InputError(path + ": csv cannot hold a field called '" + name + "', because the column " +
+                         std::string(*taken) + " has a meaning of its own; rename it");
+}
+
+/// Otherwise the file would read back with fields for coordinates, or not at all.
+void require_legible(std::vector<std::string> names, const std::string& path)
+{
     for (const std::string& name : names)
-        line += (line.empty() ? "" : ",") + header_cell(name, as_restart);
-    return line + '\n';
+        require_legible(name, path);
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end())
+        throw InputError(path + ": csv cannot hold two fields that both need the column '" + *twice +
+                         "'; rename one");
+}
+
+std::string header(const MeshData& mesh, bool as_restart, const std::string& path)
+{
+    const std::vector<std::string> fields = field_column_names(mesh);
+    require_legible(fields, path);
+    std::vector<std::string> names{"x", "y"};
+    if (as_restart)
+        names.insert(names.begin(), "PointID");
+    if (mesh.dimension == 3)
+        names.emplace_back("z");
+    names.insert(names.end(), fields.begin(), fields.end());
+    std::string line;
+    for (const std::string& name : names) {
+        line += header_cell(name, as_restart);
+        line += ',';
+    }
+    line.back() = '\n';
+    return line;
 }
 
 } // namespace
 
-void write_csv_nodes(const MeshData& mesh, bool as_restart, OutputFile& out)
-{
-    out.append(header(mesh, as_restart));
-    std::size_t numbers = 4;
-    for (const Field& field : mesh.fields)
-        numbers += static_cast<std::size_t>(field.values.cols());
-    for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
-        char* end = out.room((numbers + 1) * kLongestNumber);
-        if (as_restart)
-            end = number_text(end, v, ',');
-        for (Eigen::Index c = 0; c < mesh.dimension; ++c)
-            end = number_text(end, mesh.points(v, c), ',');
-        for (const Field& field : mesh.fields)
-            for (Eigen::Index c = 0; c < field.values.cols() && field.location == FieldLocation::vertex; ++c)
-                end = number_text(end, field.values(v, c), ',');
-        end[-1] = '\n';
-        out.advance_to(end);
-    }
-}
-
-MeshData mesh_of(CsvNodes nodes, const std::string& path)
-{
-    if (!nodes.points)
-        throw InputError(path + ":1: has no columns x and y, which say where the points are");
-    MeshData mesh;
-    mesh.points = std::move(*nodes.points);
-    mesh.dimension = dimension_of(mesh.points);
-    mesh.fields = std::move(nodes.fields);
-    return mesh;
-}
-
 CsvNodes csv_nodes(const CsvTable& table)
 {
-    const auto x = find_csv_column(table, "x"), y = find_csv_column(table, "y"),
-               z = find_csv_column(table, "z");
+    const auto x = find_csv_column(table, "x");
+    const auto y = find_csv_column(table, "y");
+    const auto z = find_csv_column(table, "z");
     const auto id = find_csv_column(table, "PointID");
     if (x.has_value() != y.has_value())
-        throw InputError(table.path + ": has a column " + (x ? "x, but none y" : "y, but none x"));
+        fail(table, table.header_line, x ? "has a column x, but none y" : "has a column y, but none x");
     CsvNodes nodes;
     nodes.has_ids = id.has_value();
     const std::vector<Eigen::Index> rows = id ? rows_by_id(table, *id) : rows_in_order(table);
@@ -167,6 +204,39 @@ CsvNodes csv_nodes(const CsvTable& table)
     }
     nodes.fields = fields_of(table, rows, taken);
     return nodes;
+}
+
+MeshData csv_mesh(const CsvTable& table)
+{
+    CsvNodes nodes = csv_nodes(table);
+    if (!nodes.points)
+        fail(table, table.header_line,
+             "has no columns x and y, which say where the points are, but " + joined(table.columns));
+    MeshData mesh;
+    mesh.points = std::move(*nodes.points);
+    mesh.dimension = dimension_of(mesh.points);
+    mesh.fields = std::move(nodes.fields);
+    return mesh;
+}
+
+void write_csv_nodes(const MeshData& mesh, bool as_restart, OutputFile& out)
+{
+    out.append(header(mesh, as_restart, out.path()));
+    std::size_t numbers = 4; // PointID, x, y, z
+    for (const Field& field : mesh.fields)
+        numbers += static_cast<std::size_t>(field.values.cols());
+    for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
+        char* end = out.room(numbers * kLongestNumber);
+        if (as_restart)
+            end = number_text(end, v, ',');
+        for (Eigen::Index c = 0; c < mesh.dimension; ++c)
+            end = number_text(end, mesh.points(v, c), ',');
+        for (const Field& field : mesh.fields)
+            for (Eigen::Index c = 0; c < field.values.cols() && field.location == FieldLocation::vertex; ++c)
+                end = number_text(end, field.values(v, c), ',');
+        end[-1] = '\n';
+        out.advance_to(end);
+    }
 }
 
 } // namespace morph

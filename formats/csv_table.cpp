@@ -1,6 +1,7 @@
 #include "formats/csv_table.h"
 
 #include "formats/input_file.h"
+#include "formats/text_scanner.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 
@@ -34,27 +35,52 @@ std::vector<std::string_view> cells_of(std::string_view line)
     }
 }
 
-/// The names in a header line; in quotes they may hold commas, and quotes twice.
+std::string_view without_outer_blanks(std::string_view text)
+{
+    constexpr std::string_view kBlank = " \t\r";
+    const auto first = text.find_first_not_of(kBlank);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+/// The cell without the quotes around it; quotes within are written twice.
+std::string unquoted(std::string_view cell)
+{
+    cell = without_outer_blanks(cell);
+    if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"')
+        return std::string(cell);
+    cell = cell.substr(1, cell.size() - 2);
+    std::string name;
+    for (std::size_t i = 0; i < cell.size(); i += cell.substr(i, 2) == "\"\"" ? 2 : 1)
+        name += cell[i];
+    return name;
+}
+
+/// The names in a header line; in quotes they may hold commas.
 std::vector<std::string> header_cells(std::string_view line)
 {
-    std::vector<std::string> names(1);
+    std::vector<std::string> names;
     bool quoted = false;
+    std::size_t first = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool doubled = quoted && line.substr(i, 2) == "\"\"";
-        if (line[i] == '"' && !doubled)
-            quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-            names.emplace_back();
-        else
-            names.back() += line[i];
-        i += doubled ? 1 : 0;
+        quoted = quoted != (line[i] == '"');
+        if (line[i] == ',' && !quoted) {
+            names.push_back(unquoted(line.substr(first, i - first)));
+            first = i + 1;
+        }
     }
-    for (std::string& name : names) {
-        const auto first = name.find_first_not_of(" \t\r");
-        const auto last = name.find_last_not_of(" \t\r");
-        name = first == std::string::npos ? "" : name.substr(first, last - first + 1);
-    }
+    names.push_back(unquoted(line.substr(first)));
     return names;
+}
+
+/// For a message: on one line, and cut when long.
+std::string printable(std::string_view text)
+{
+    constexpr std::size_t kLongest = 40;
+    std::string plain(text.substr(0, kLongest));
+    std::replace_if(
+        plain.begin(), plain.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
+    return plain;
 }
 
 const char* skip_blanks(const char* here, const char* end)
@@ -97,9 +123,10 @@ public:
 private:
     void take_header(std::string_view line, int number)
     {
+        table_.header_line = number;
         for (const std::string& name : header_cells(line)) {
             if (std::find(table_.columns.begin(), table_.columns.end(), name) != table_.columns.end())
-                fail(number, "names the column '" + name + "' twice");
+                fail(number, "names the column '" + printable(name) + "' twice");
             table_.columns.push_back(name);
         }
     }
@@ -144,11 +171,10 @@ private:
 
     double number_of(std::string_view cell, std::size_t column, int line) const
     {
-        const std::string_view digits = cell.substr(cell.empty() || cell.front() != '+' ? 0 : 1);
+        TextScanner in(table_.path, cell);
         double value = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-            fail(line, "column '" + table_.columns[column] + "' is '" + std::string(cell.substr(0, 40)) +
+        if (!in.try_real(value) || !in.at_line_end())
+            fail(line, "column '" + printable(table_.columns[column]) + "' is '" + printable(cell) +
                            "', but a finite number was expected");
         return value;
     }
@@ -162,18 +188,20 @@ private:
     std::vector<double> values_;
 };
 
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 } // namespace
+
+bool equals_without_case(std::string_view a, std::string_view b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char one, unsigned char other) {
+        return std::tolower(one) == std::tolower(other);
+    });
+}
 
 CsvTable parse_csv_table(std::string_view bytes, const std::string& path)
 {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // spreadsheets begin UTF-8 with it
+    if (bytes.starts_with(kByteOrderMark))
+        bytes.remove_prefix(kByteOrderMark.size());
     CsvParser parser(path);
     for (int number = 1; !bytes.empty(); ++number) {
         const auto end = std::min(bytes.find('\n'), bytes.size() - 1);
@@ -192,10 +220,17 @@ CsvTable read_csv_table(const std::string& path)
 
 std::optional<Eigen::Index> find_csv_column(const CsvTable& table, std::string_view name)
 {
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-        if (lower_case(table.columns[c]) == lower_case(name))
-            return static_cast<Eigen::Index>(c);
-    return std::nullopt;
+    std::optional<Eigen::Index> found;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        if (!equals_without_case(table.columns[c], name))
+            continue;
+        if (found)
+            throw InputError(table.path + ":" + std::to_string(table.header_line) + ": has two columns '" +
+                             table.columns[static_cast<std::size_t>(*found)] + "' and '" + table.columns[c] +
+                             "', which are the same but for letter case");
+        found = static_cast<Eigen::Index>(c);
+    }
+    return found;
 }
 
 Matrix csv_columns(const CsvTable& table, const std::vector<std::string>& names)

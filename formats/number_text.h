@@ -32,6 +32,14 @@ inline char* number_text(char* to, auto value, char separator)
     return end + 1;
 }
 
+/// The number alone, for messages.
+inline std::string exact_text(auto value)
+{
+    std::string text(kLongestNumber, '\0');
+    text.resize(static_cast<std::size_t>(number_text(text.data(), value) - text.data()));
+    return text;
+}
+
 inline void append_number(OutputFile& out, auto value)
 {
     out.advance_to(number_text(out.room(kLongestNumber), value));

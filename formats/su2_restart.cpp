@@ -1,5 +1,6 @@
-// SU2's restart file as text: https://su2code.github.io/docs_v7/Restart-Files/. SU2 takes its columns by
-// their order and passes over further ones at the end.
+// SU2's restart file as text: https://su2code.github.io/docs_v7/Restart-File/. SU2 (7 and 8) passes over
+// PointID and takes row i for vertex i and the columns by their order, so that further ones at the end do no
+// harm; the few names it looks for it expects in quotes.
 #include "formats/csv_fields.h"
 #include "formats/format.h"
 #include "libmorph/core/error.h"
@@ -10,10 +11,11 @@ namespace {
 
 MeshData read_su2_restart(const InputBytes& file)
 {
-    CsvNodes nodes = csv_nodes(parse_csv_table(file.bytes, file.path));
-    if (!nodes.has_ids)
-        throw InputError(file.path + ":1: has no column PointID, which every SU2 restart file has");
-    return mesh_of(std::move(nodes), file.path);
+    const CsvTable table = parse_csv_table(file.bytes, file.path);
+    if (!find_csv_column(table, "PointID"))
+        throw InputError(file.path + ":" + std::to_string(table.header_line) +
+                         ": has no column PointID, which every SU2 restart file has");
+    return csv_mesh(table);
 }
 
 void write_su2_restart(const MeshData& mesh, const WriteOptions&, OutputFile& out)
