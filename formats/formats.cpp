@@ -96,6 +96,33 @@ void require_surface_fits(const MeshData& data, const Format& format, const std:
             " holds planar meshes only, but this is a surface in space; write it as .vtu or .obj");
 }
 
+/// The companion's own name, in the folder of @p path.
+std::string path_beside(const std::string& path, const Companion& companion)
+{
+    return std::filesystem::path(path).replace_extension().string() + companion.suffix;
+}
+
+void require_distinct(const std::vector<Companion>& companions, const std::string& path)
+{
+    std::vector<std::string> names;
+    names.reserve(companions.size());
+    for (const Companion& companion : companions)
+        names.push_back(path_beside(path, companion));
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end())
+        throw InputError(path + ": two of the files that go with it would be called " + *twice +
+                         "; rename a field");
+}
+
+void write_companions(const std::vector<Companion>& companions, const MeshData& data, const std::string& path,
+                      OutputFiles& files)
+{
+    require_distinct(companions, path);
+    for (const Companion& companion : companions)
+        companion.write(data, files.open(path_beside(path, companion)));
+}
+
 } // namespace
 
 const Format& find_format(const std::string& path, const std::string& name)
@@ -137,11 +164,7 @@ std::vector<std::string> write_mesh_data(const MeshData& data, const std::string
     require_surface_fits(data, writer, path);
     writer.write(data, options, files.open(path));
     if (writer.companions)
-        for (const Companion& companion : writer.companions(data)) {
-            std::filesystem::path beside(path);
-            beside.replace_extension();
-            companion.write(data, files.open(beside.string() + companion.suffix));
-        }
+        write_companions(writer.companions(data), data, path, files);
     std::vector<std::string> warnings = losses(data, writer, options);
     for (std::string& warning : warnings)
         warning.insert(0, path + ": ");

@@ -1,8 +1,6 @@
 // The text files of the thesis; see tuc_files.h.
+#include "formats/formats.h"
 #include "formats/tuc_files.h"
-#include "libmorph/mesh/builder.h"
-
-#include <algorithm>
 
 namespace morph {
 
@@ -28,7 +26,7 @@ std::vector<Companion> companions(const MeshData& mesh)
     if (mesh.elements.empty())
         return files;
     files.push_back({".neighbours.txt", [](const MeshData& data, OutputFile& out) {
-                         write_tuc_neighbors(build_mesh(data), out);
+                         write_tuc_neighbors(build_mesh_of(data, out.path()), out);
                      }});
     for (std::size_t f = 0; f < mesh.fields.size(); ++f)
         for (Eigen::Index c = 0; c < mesh.fields[f].values.cols(); ++c)
@@ -40,24 +38,6 @@ std::vector<Companion> companions(const MeshData& mesh)
     return files;
 }
 
-std::vector<std::string> losses(const MeshData& mesh, const WriteOptions&)
-{
-    std::vector<std::string> lost;
-    if (mesh.elements.empty()) {
-        for (const Field& field : mesh.fields)
-            lost.push_back("field " + field.name + " of points without elements");
-        return lost;
-    }
-    std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()));
-    for (const Element& element : mesh.elements)
-        for (int k = 0; k < corner_count(element); ++k)
-            used[static_cast<std::size_t>(element[static_cast<std::size_t>(k)])] = true;
-    const auto unused = std::count(used.begin(), used.end(), false);
-    if (unused > 0)
-        lost.push_back(std::to_string(unused) + " vertices of no element");
-    return lost;
-}
-
 } // namespace
 
 extern const Format tuc_format;
@@ -67,7 +47,7 @@ const Format tuc_format{.name = "tuc",
                         .holds = {.vertex_fields = true},
                         .read = read_tuc,
                         .write = write_tuc,
-                        .losses = losses,
+                        .losses = tuc_losses,
                         .companions = companions};
 
 } // namespace morph

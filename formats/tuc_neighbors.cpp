@@ -4,7 +4,6 @@
 #include "libmorph/mesh/builder.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 namespace morph {
@@ -29,19 +28,20 @@ public:
     std::vector<Row> read()
     {
         in_.skip_white();
+        const std::size_t position = in_.position();
         const auto count = static_cast<std::size_t>(in_.index("the number of elements"));
         in_.end_line("the number of elements");
         if (count != elements_)
-            in_.fail_at(0, "holds neighbours of " + std::to_string(count) + " elements, but the mesh has " +
-                               std::to_string(elements_));
+            in_.fail_at(position, "holds neighbours of " + std::to_string(count) +
+                                      " elements, but the mesh has " + std::to_string(elements_));
         in_.skip_line();
         in_.skip_line(); // a heading
         std::vector<Row> rows;
         while (in_.skip_white())
             rows.push_back(read_row(rows.size()));
         if (rows.size() != elements_)
-            in_.fail_at(0, "holds neighbours of " + std::to_string(count) + " elements, but " +
-                               std::to_string(rows.size()) + " rows follow");
+            in_.fail_at(position, "holds neighbours of " + std::to_string(count) + " elements, but " +
+                                      std::to_string(rows.size()) + " rows follow");
         return rows;
     }
 
@@ -69,44 +69,70 @@ private:
     std::size_t elements_;
 };
 
-std::size_t side_count(const Mesh& mesh, Index face)
+/// How a file may list the sides of its elements.
+struct SideOrder {
+    bool as_written = false; ///< corners in the order of tuc_element(), not as the mesh lists them
+    std::size_t first = 0;   ///< the corner that the first side begins at
+};
+
+/// The neighbours of an element as a file of that order lists them.
+Neighbors in_order(const Neighbors& around, const MeshData& mesh, std::size_t e, const SideOrder& order)
 {
-    return static_cast<std::size_t>(corner_count(element_corners(mesh, face)));
+    const auto sides = static_cast<std::size_t>(corner_count(mesh.elements[e]));
+    const bool from_second = order.as_written && tuc_element(mesh, e) != mesh.elements[e];
+    Neighbors listed{-1, -1, -1, -1};
+    for (std::size_t k = 0; k < sides; ++k)
+        listed[k] = around[(k + order.first + (from_second ? 1 : 0)) % sides];
+    return listed;
 }
 
-/// Whether a row names the neighbours of an element, beginning with side @p first.
-bool agrees(const Row& row, const Neighbors& around, std::size_t sides, std::size_t first)
+/// Elements whose row in the file has other neighbours than the mesh.
+struct Mismatches {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    Neighbors expected{}; ///< of the first
+};
+
+/// Compare the rows of the elements with so many sides.
+Mismatches compare(const std::vector<Row>& rows, const std::vector<Neighbors>& all, const MeshData& mesh,
+                   std::size_t sides, const SideOrder& order)
 {
-    for (std::size_t k = 0; k < sides; ++k)
-        if (row.around[k] != around[(k + first) % sides])
-            return false;
-    return row.sides == sides || (row.sides == 4 && sides == 3 && row.around[3] < 0);
+    Mismatches found;
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+        if (static_cast<std::size_t>(corner_count(mesh.elements[e])) != sides)
+            continue;
+        const Neighbors expected = in_order(all[e], mesh, e, order);
+        const bool right_length = rows[e].sides == sides || (sides == 3 && rows[e].sides == 4);
+        if (right_length && rows[e].around == expected)
+            continue;
+        if (found.count++ == 0) {
+            found.first = e;
+            found.expected = expected;
+        }
+    }
+    return found;
+}
+
+/// As compare(), for the order that fits best.
+Mismatches compare_in_best_order(const std::vector<Row>& rows, const std::vector<Neighbors>& all,
+                                 const MeshData& mesh, std::size_t sides)
+{
+    Mismatches best = compare(rows, all, mesh, sides, {});
+    for (const bool as_written : {false, true})
+        for (std::size_t first = 0; first < sides && best.count > 0; ++first) {
+            const Mismatches other = compare(rows, all, mesh, sides, {as_written, first});
+            if (other.count < best.count)
+                best = other;
+        }
+    return best;
 }
 
 std::string list(const Neighbors& around, std::size_t sides)
 {
     std::string text;
     for (std::size_t k = 0; k < sides; ++k)
-        text += (k == 0 ? "" : " ") + std::to_string(around[k] + 1);
-    return text;
-}
-
-/// The side, as the mesh numbers them, that the first neighbour of an element is written for.
-std::size_t first_side(const MeshData& data, std::size_t e)
-{
-    return tuc_element(data, e) == data.elements[e] ? 0 : 1;
-}
-
-/// The first of the elements with so many sides whose neighbours are others when sides are counted from
-/// @p first on.
-std::optional<std::size_t> first_mismatch(const std::vector<Row>& rows, const std::vector<Neighbors>& all,
-                                          const MeshData& data, std::size_t sides, std::size_t first)
-{
-    for (std::size_t e = 0; e < rows.size(); ++e)
-        if (static_cast<std::size_t>(corner_count(data.elements[e])) == sides &&
-            !agrees(rows[e], all[e], sides, first_side(data, e) + first))
-            return e;
-    return std::nullopt;
+        text += ' ' + std::to_string(around[k] + 1);
+    return text.empty() ? " none at all" : text;
 }
 
 } // namespace
@@ -118,12 +144,12 @@ std::vector<Neighbors> element_neighbors(const Mesh& mesh)
     };
     std::vector<Neighbors> all(mesh.numbering.element.size(), Neighbors{-1, -1, -1, -1});
     for (const FaceHandle f : mesh.kernel.faces()) {
-        const std::size_t sides = side_count(mesh, f.idx());
+        const auto sides = static_cast<std::size_t>(corner_count(element_corners(mesh, f.idx())));
         const bool turned = mesh.numbering.turned[static_cast<std::size_t>(f.idx())];
         Neighbors& around = all[static_cast<std::size_t>(file_number(f))];
         HalfedgeHandle side = mesh.kernel.next_halfedge_handle(mesh.kernel.halfedge_handle(f));
-        for (std::size_t k = 0; k < sides;
-             ++k) { // from the first corner on; a turned element was listed backwards
+        for (std::size_t k = 0; k < sides; ++k) {
+            // from the first corner on, and backwards where the file lists the element so
             around[turned ? sides - 1 - k : k] =
                 file_number(mesh.kernel.face_handle(mesh.kernel.opposite_halfedge_handle(side)));
             side = mesh.kernel.next_halfedge_handle(side);
@@ -138,14 +164,14 @@ void write_tuc_neighbors(const Mesh& mesh, OutputFile& out)
     const MeshData data = to_data(mesh);
     out.append(std::to_string(all.size()) + "\nid n1 n2 n3 n4\n");
     for (std::size_t e = 0; e < all.size(); ++e) {
-        const auto sides = static_cast<std::size_t>(corner_count(data.elements[e]));
-        const std::size_t first = first_side(data, e);
-        append_number(out, e + 1);
-        for (std::size_t k = 0; k < sides; ++k) {
-            out.append(" ");
-            append_number(out, all[e][(k + first) % sides] + 1);
+        const Neighbors around = in_order(all[e], data, e, {.as_written = true});
+        char* end = number_text(out.room(5 * kLongestNumber), e + 1);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(corner_count(data.elements[e])); ++k) {
+            *end++ = ' ';
+            end = number_text(end, around[k] + 1);
         }
-        out.append("\n");
+        *end++ = '\n';
+        out.advance_to(end);
     }
 }
 
@@ -156,15 +182,12 @@ void check_tuc_neighbors(const InputBytes& file, const Mesh& mesh)
     const std::vector<Neighbors> all = element_neighbors(mesh);
     const MeshData data = to_data(mesh);
     for (const std::size_t sides : {3U, 4U}) {
-        const std::optional<std::size_t> wrong = first_mismatch(rows, all, data, sides, 0);
-        bool fits = !wrong;
-        for (std::size_t first = 1; first < sides && !fits; ++first)
-            fits = !first_mismatch(rows, all, data, sides, first);
-        if (!fits)
-            reader.scanner().fail_at(rows[*wrong].position,
-                                     "element " + std::to_string(*wrong + 1) + " has the neighbours " +
-                                         list(rows[*wrong].around, rows[*wrong].sides) +
-                                         ", but in the mesh " + list(all[*wrong], sides) + " (0: none)");
+        const Mismatches wrong = compare_in_best_order(rows, all, data, sides);
+        if (wrong.count > 0)
+            reader.scanner().fail_at(rows[wrong.first].position,
+                                     "element " + std::to_string(wrong.first + 1) + " has the neighbours" +
+                                         list(rows[wrong.first].around, rows[wrong.first].sides) +
+                                         ", but in the mesh" + list(wrong.expected, sides) + " (0: none)");
     }
 }
 

@@ -1,9 +1,11 @@
 #include "formats/number_text.h"
 #include "formats/text_scanner.h"
 #include "formats/tuc_files.h"
+#include "libmorph/core/error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace morph {
@@ -11,12 +13,6 @@ namespace morph {
 namespace {
 
 using CornerValues = std::array<double, 4>;
-
-std::string exact(double value)
-{
-    std::array<char, kLongestNumber> text{};
-    return {text.data(), number_text(text.data(), value)};
-}
 
 /// Rows of the file, and where each begins.
 struct Rows {
@@ -27,11 +23,12 @@ struct Rows {
 Rows read_rows(TextScanner& in, std::size_t elements)
 {
     in.skip_white();
+    const std::size_t position = in.position();
     const auto count = static_cast<std::size_t>(in.index("the number of elements"));
     in.end_line("the number of elements");
     if (count != elements)
-        in.fail_at(0, "holds values of " + std::to_string(count) + " elements, but the mesh has " +
-                          std::to_string(elements));
+        in.fail_at(position, "holds values of " + std::to_string(count) + " elements, but the mesh has " +
+                                 std::to_string(elements));
     Rows rows;
     while (in.skip_white()) {
         rows.positions.push_back(in.position());
@@ -44,22 +41,84 @@ Rows read_rows(TextScanner& in, std::size_t elements)
         in.end_line("four values");
     }
     if (rows.values.size() != elements)
-        in.fail_at(0, "holds values of " + std::to_string(count) + " elements, but " +
-                          std::to_string(rows.values.size()) + " rows follow");
+        in.fail_at(position, "holds values of " + std::to_string(count) + " elements, but " +
+                                 std::to_string(rows.values.size()) + " rows follow");
     return rows;
 }
 
 /// Largest difference of two values at one node that is rounding.
-double tolerance_of(const std::vector<CornerValues>& rows)
+double tolerance_of(const std::vector<CornerValues>& rows, const MeshData& mesh)
 {
     constexpr double kRounding = 1e-9; // of the range: the files hold some ten digits
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const CornerValues& row : rows)
-        for (const double value : row) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+        const auto corners = corner_count(mesh.elements[e]); // what stands behind them is no value
+        const auto [least, most] = std::minmax_element(rows[e].begin(), rows[e].begin() + corners);
+        low = std::min(low, *least);
+        high = std::max(high, *most);
+    }
     return rows.empty() ? 0 : kRounding * (high / 2 - low / 2) * 2;
+}
+
+/// Values of the vertices, and where each comes from.
+struct NodalValues {
+    std::vector<double> value;
+    std::vector<Index> element; ///< the first with that vertex; -1: none
+
+    explicit NodalValues(std::size_t vertices) : value(vertices), element(vertices, -1) {}
+};
+
+/// Two elements that disagree about a vertex.
+struct Clash {
+    Index vertex = 0;
+    std::size_t element = 0;
+    double value = 0;
+};
+
+/// Bring the values of the corners to the vertices, up to the first two that do not agree.
+/// @param as_written  corners in the order of tuc_element(), not as the mesh lists them
+std::optional<Clash> gather(const Rows& rows, const MeshData& mesh, bool as_written, NodalValues& nodal)
+{
+    const double tolerance = tolerance_of(rows.values, mesh);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Element element = as_written ? tuc_element(mesh, e) : mesh.elements[e];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(corner_count(element)); ++k) {
+            const auto v = static_cast<std::size_t>(element[k]);
+            if (nodal.element[v] < 0) {
+                nodal.element[v] = static_cast<Index>(e);
+                nodal.value[v] = rows.values[e][k];
+            } else if (!(std::abs(nodal.value[v] - rows.values[e][k]) <= tolerance)) {
+                return Clash{element[k], e, rows.values[e][k]};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+[[noreturn]] void fail(const TextScanner& in, const Rows& rows, const MeshData& mesh,
+                       const NodalValues& nodal, const Clash& clash)
+{
+    const auto v = static_cast<std::size_t>(clash.vertex);
+    in.fail_at(rows.positions[clash.element],
+               "vertex " + std::to_string(v) + " at " + exact_text(mesh.points(clash.vertex, 0)) + " " +
+                   exact_text(mesh.points(clash.vertex, 1)) + " has the value " + exact_text(clash.value) +
+                   " in element " + std::to_string(clash.element + 1) + ", but " +
+                   exact_text(nodal.value[v]) + " in element " + std::to_string(nodal.element[v] + 1));
+}
+
+/// The values in whichever of the two orders of corners fits the whole file.
+NodalValues nodal_values(const TextScanner& in, const Rows& rows, const MeshData& mesh)
+{
+    const auto vertices = static_cast<std::size_t>(mesh.points.rows());
+    NodalValues as_listed(vertices);
+    const std::optional<Clash> clash = gather(rows, mesh, false, as_listed);
+    if (!clash)
+        return as_listed;
+    NodalValues as_written(vertices);
+    if (!gather(rows, mesh, true, as_written))
+        return as_written;
+    fail(in, rows, mesh, as_listed, *clash);
 }
 
 } // namespace
@@ -68,37 +127,25 @@ Field read_tuc_values(const InputBytes& file, const MeshData& mesh)
 {
     TextScanner in(file.path, file.bytes);
     const Rows rows = read_rows(in, mesh.elements.size());
-    const double tolerance = tolerance_of(rows.values);
-    Field field{"f", FieldLocation::vertex, Matrix::Zero(mesh.points.rows(), 1)};
-    std::vector<Index> first(static_cast<std::size_t>(mesh.points.rows()), -1); // element that gave the value
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        const Element element = tuc_element(mesh, e);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(corner_count(element)); ++k) {
-            double& value = field.values(element[k], 0);
-            Index& giver = first[static_cast<std::size_t>(element[k])];
-            if (giver < 0) {
-                giver = static_cast<Index>(e);
-                value = rows.values[e][k];
-            } else if (!(std::abs(value - rows.values[e][k]) <= tolerance))
-                in.fail_at(rows.positions[e], "node " + std::to_string(element[k] + 1) + " has the value " +
-                                                  exact(rows.values[e][k]) + " in element " +
-                                                  std::to_string(e + 1) + ", but " + exact(value) +
-                                                  " in element " + std::to_string(giver + 1));
-        }
-    }
-    return field;
+    const NodalValues nodal = nodal_values(in, rows, mesh);
+    const auto loose = std::find(nodal.element.begin(), nodal.element.end(), -1);
+    if (loose != nodal.element.end())
+        throw InputError(file.path + ": holds values at the corners of elements, but vertex " +
+                         std::to_string(loose - nodal.element.begin()) + " of the mesh belongs to none");
+    return {"f", FieldLocation::vertex,
+            Eigen::Map<const Eigen::VectorXd>(nodal.value.data(), mesh.points.rows())};
 }
 
 void write_tuc_values(const MeshData& mesh, const Field& field, Eigen::Index component, OutputFile& out)
 {
     out.append(std::to_string(mesh.elements.size()) + "\n");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        append_number(out, e + 1);
-        for (const Index v : tuc_element(mesh, e)) {
-            out.append(" ");
-            append_number(out, v < 0 ? 0.0 : field.values(v, component));
-        }
-        out.append("\n");
+        const Element element = tuc_element(mesh, e);
+        char* end = number_text(out.room(5 * kLongestNumber), e + 1, ' ');
+        for (std::size_t k = 0; k < 4; ++k)
+            end = number_text(end, element[k] < 0 ? 0.0 : field.values(element[k], component),
+                              k < 3 ? ' ' : '\n');
+        out.advance_to(end);
     }
 }
 

@@ -65,9 +65,9 @@ TEST(Formats, ANameOverridesTheExtension)
 {
     const TemporaryFolder folder;
     const MeshData mesh = test::uneven_square(2);
-    write_mesh_data(mesh, folder.file("mesh.txt"), "su2");
-    EXPECT_EQ(difference(read_mesh_data(folder.file("mesh.txt"), "su2"), mesh), "");
-    EXPECT_THROW(read_mesh_data(folder.file("mesh.txt")), InputError);
+    write_mesh_data(mesh, folder.file("mesh.dat"), "su2");
+    EXPECT_EQ(difference(read_mesh_data(folder.file("mesh.dat"), "su2"), mesh), "");
+    EXPECT_THROW(read_mesh_data(folder.file("mesh.dat")), InputError);
 }
 
 TEST(Formats, AFileThatCannotBeReadIsNamedWithTheReason)

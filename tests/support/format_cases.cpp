@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -148,6 +149,26 @@ std::vector<std::pair<std::string, MeshData>> rich_meshes()
             {"nothing", {}}};
 }
 
+std::vector<std::pair<std::string, MeshData>> planar_meshes()
+{
+    auto meshes = rich_meshes();
+    std::erase_if(meshes, [](const auto& named) {
+        return named.second.dimension == 3 || named.second.elements.empty();
+    });
+    return meshes;
+}
+
+MeshData square_and_triangle(std::size_t first)
+{
+    MeshData mesh;
+    mesh.points.resize(5, 3);
+    mesh.points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0.5, 0;
+    Element quad{0, 1, 2, 3};
+    std::rotate(quad.begin(), quad.begin() + static_cast<std::ptrdiff_t>(first), quad.end());
+    mesh.elements = {quad, {1, 4, 2, -1}};
+    return mesh;
+}
+
 std::string written(const MeshData& mesh, const std::string& format, const WriteOptions& options)
 {
     const TemporaryFolder folder;
@@ -181,11 +202,17 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 void survive_mutations(const std::string& format, const std::vector<std::string>& seeds, int count)
 {
+    survive_mutations(find_format("file", format).read, seeds, count);
+}
+
+void survive_mutations(const std::function<MeshData(const InputBytes&)>& read,
+                       const std::vector<std::string>& seeds, int count)
+{
     std::mt19937 random(2024);
     for (int i = 0; i < count; ++i) {
         const std::string bytes = mutated(seeds[static_cast<std::size_t>(i) % seeds.size()], random);
         try {
-            expect_sound(read_bytes(bytes, format));
+            expect_sound(read({"file", bytes}));
         } catch (const InputError& error) {
             const std::string message = error.what();
             EXPECT_EQ(message.rfind("file:", 0), 0U) << message;
