@@ -3,8 +3,11 @@
 #include "formats/csv_fields.h"
 #include "formats/formats.h"
 #include "formats/input_file.h"
+#include "formats/number_text.h"
 #include "formats/tuc_files.h"
 #include "libmorph/core/error.h"
+
+#include <cmath>
 
 namespace morph {
 
@@ -19,19 +22,42 @@ void require_count(const std::string& path, std::size_t found, std::size_t expec
                          ", but the mesh has " + std::to_string(expected));
 }
 
-/// @param lines  of the rows in the file; empty: do not name them
+std::string place(const Points& points, Eigen::Index vertex)
+{
+    std::string text;
+    for (Eigen::Index c = 0; c < (points(vertex, 2) == 0 ? 2 : 3); ++c) {
+        text += ' ';
+        text += exact_text(points(vertex, c));
+    }
+    return text;
+}
+
+/// @param lines  of the vertices in the file; empty: do not name them
 void require_same_places(const std::string& path, const Points& points, const MeshData& mesh,
                          const std::vector<int>& lines)
 {
     if (mesh.points.rows() == 0)
         return;
     const double size = (mesh.points.colwise().maxCoeff() - mesh.points.colwise().minCoeff()).norm();
-    for (Eigen::Index v = 0; v < points.rows(); ++v)
-        if (!((points.row(v) - mesh.points.row(v)).norm() <= kSamePlace * size))
-            throw InputError(path +
-                             (lines.empty() ? "" : ":" + std::to_string(lines[static_cast<std::size_t>(v)])) +
-                             ": vertex " + std::to_string(v) +
-                             " lies elsewhere than in the mesh; these are the fields of another mesh");
+    for (Eigen::Index v = 0; v < points.rows(); ++v) {
+        if ((points.row(v) - mesh.points.row(v)).norm() <= kSamePlace * size)
+            continue;
+        const std::string line =
+            lines.empty() ? "" : ":" + std::to_string(lines[static_cast<std::size_t>(v)]);
+        throw InputError(path + line + ": vertex " + std::to_string(v) + " is at" + place(points, v) +
+                         ", but in the mesh at" + place(mesh.points, v) +
+                         "; these are fields of another mesh");
+    }
+}
+
+void require_finite(const std::string& path, const Field& field)
+{
+    for (Eigen::Index i = 0; i < field.values.rows(); ++i)
+        for (Eigen::Index c = 0; c < field.values.cols(); ++c)
+            if (!std::isfinite(field.values(i, c)))
+                throw InputError(path + ": field '" + field.name + "' is " + exact_text(field.values(i, c)) +
+                                 (field.location == FieldLocation::vertex ? " at vertex " : " in element ") +
+                                 std::to_string(i));
 }
 
 FieldFile read_table(const InputBytes& file, const MeshData& mesh)
@@ -50,7 +76,16 @@ FieldFile read_mesh_fields(const Format& format, const InputBytes& file, const M
                   static_cast<std::size_t>(mesh.points.rows()), "vertices");
     require_count(file.path, other.elements.size(), mesh.elements.size(), "elements");
     require_same_places(file.path, other.points, mesh, {});
+    for (const Field& field : other.fields)
+        require_finite(file.path, field);
     return {std::move(other.fields)};
+}
+
+FieldFile read_file(const Format& format, const InputBytes& file, const MeshData& mesh)
+{
+    if (format.name == "tuc")
+        return {{read_tuc_values(file, mesh)}};
+    return format.holds.elements ? read_mesh_fields(format, file, mesh) : read_table(file, mesh);
 }
 
 } // namespace
@@ -59,10 +94,10 @@ FieldFile read_fields(const std::string& path, const MeshData& mesh, const std::
 {
     const Format& reader = find_format(path, format);
     const InputFile input(path);
-    const InputBytes file{path, input.bytes()};
-    if (reader.name == "tuc")
-        return {{read_tuc_values(file, mesh)}};
-    return reader.holds.elements ? read_mesh_fields(reader, file, mesh) : read_table(file, mesh);
+    FieldFile file = read_file(reader, {path, input.bytes()}, mesh);
+    if (file.fields.empty())
+        throw InputError(path + ": has no fields");
+    return file;
 }
 
 } // namespace morph
