@@ -1,98 +1,115 @@
 #include "libmorph/remap/clip.h"
 
-#include <algorithm>
-
 namespace morph {
 
 namespace {
 
-/// Twice the area of triangle a b p: positive when p lies to the left of the line from a to b.
+PlanePoint difference(PlanePoint a, PlanePoint b)
+{
+    return {a.x - b.x, a.y - b.y};
+}
+
+/// Four times the signed area of triangle a b p: positive to the left of a b. Exactly the negative of that of
+/// b a p, and exactly 0 where p is a or b.
 double left_of(PlanePoint a, PlanePoint b, PlanePoint p)
 {
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return (b.x - a.x) * ((p.y - a.y) + (p.y - b.y)) - (b.y - a.y) * ((p.x - a.x) + (p.x - b.x));
 }
 
-/// What of a polygon lies to the left of the line from a to b.
-void keep_left(const ConvexPolygon& polygon, PlanePoint a, PlanePoint b, ConvexPolygon& kept)
+/// Where a segment crosses the line that its ends have these distances of opposite signs from.
+PlanePoint crossing(PlanePoint p, double p_distance, PlanePoint q, double q_distance)
 {
-    kept.clear();
-    const auto corners = polygon.corners();
-    if (corners.empty())
-        return;
-    PlanePoint from = corners.back();
-    double from_side = left_of(a, b, from);
-    for (const PlanePoint to : corners) {
-        const double to_side = left_of(a, b, to);
-        if ((from_side < 0 && to_side > 0) || (from_side > 0 && to_side < 0)) {
-            const double t = from_side / (from_side - to_side);
-            kept.add({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
-        }
-        if (to_side >= 0)
-            kept.add(to);
-        from = to;
-        from_side = to_side;
+    const double t = p_distance / (p_distance - q_distance);
+    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+}
+
+ConvexPolygon relative_to(PlanePoint origin, const ConvexPolygon& polygon)
+{
+    ConvexPolygon shifted = polygon;
+    for (int k = 0; k < polygon.corners; ++k)
+        shifted.corner[static_cast<std::size_t>(k)] = difference(polygon[k], origin);
+    return shifted;
+}
+
+/// Where a polygon lies relative to a line.
+struct Extent {
+    bool left = false;
+    bool right = false;
+};
+
+Extent extent(const ConvexPolygon& polygon, PlanePoint a, PlanePoint b)
+{
+    Extent found;
+    for (int k = 0; k < polygon.corners; ++k) {
+        const double distance = left_of(a, b, polygon[k]);
+        found.left |= distance > 0;
+        found.right |= distance < 0;
     }
+    return found;
 }
 
-void add_part(const PlaneElement& element, PlanePoint origin, std::array<int, 4> corner, int corners,
-              ElementParts& parts)
+/// The part of a polygon to the left of a line; the side that the line cuts gets a number.
+ConvexPolygon left_part(const ConvexPolygon& polygon, PlanePoint a, PlanePoint b, int side)
 {
-    const auto at = [&](int k) {
-        return element.corner[static_cast<std::size_t>(corner[static_cast<std::size_t>(k)])];
-    };
-    int sign = 0; // of the first corner that is not straight: all of a convex part turn the same way
-    for (int k = 0; k < corners && sign == 0; ++k)
-        sign = orientation(at(k), at((k + 1) % corners), at((k + 2) % corners));
-    if (sign == 0)
-        return;
-    if (sign < 0)
-        std::reverse(corner.begin(), corner.begin() + corners);
-    ElementPart& part = parts.part[static_cast<std::size_t>(parts.count++)];
-    part.corner = corner;
-    part.corners = corners;
-    part.polygon.clear();
-    for (int k = 0; k < corners; ++k)
-        part.polygon.add({at(k).x - origin.x, at(k).y - origin.y});
+    ConvexPolygon part;
+    double here = left_of(a, b, polygon[0]);
+    const double first = here;
+    for (int k = 0; k < polygon.corners; ++k) {
+        const double next = k + 1 < polygon.corners ? left_of(a, b, polygon[k + 1]) : first;
+        const int own = polygon.side[static_cast<std::size_t>(k)];
+        if (here >= 0)
+            part.add(polygon[k], here == 0 && next < 0 ? side : own);
+        if (here > 0 && next < 0)
+            part.add(crossing(polygon[k], here, polygon.after(k), next), side);
+        if (here < 0 && next > 0)
+            part.add(crossing(polygon[k], here, polygon.after(k), next), own);
+        here = next;
+    }
+    return part;
 }
 
 } // namespace
 
+// Two polygons of 4 corners have at most 8 in common. Where rounding makes one more it lies on a side, and
+// leaving it out changes nothing beyond rounding.
+void ConvexPolygon::add(PlanePoint p, int side_number)
+{
+    if (corners == kMost)
+        return;
+    corner[static_cast<std::size_t>(corners)] = p;
+    side[static_cast<std::size_t>(corners)] = side_number;
+    ++corners;
+}
+
+ConvexPolygon clip(const ConvexPolygon& subject, const ConvexPolygon& clipper)
+{
+    const PlanePoint origin = subject[0];
+    ConvexPolygon common = relative_to(origin, subject);
+    const ConvexPolygon knife = relative_to(origin, clipper);
+    std::array<bool, ConvexPolygon::kMost> cuts{};
+    for (int k = 0; k < knife.corners; ++k) {
+        const Extent found = extent(common, knife[k], knife.after(k));
+        if (!found.left)
+            return {};
+        cuts[static_cast<std::size_t>(k)] = found.right;
+    }
+    for (int k = 0; k < knife.corners; ++k)
+        if (cuts[static_cast<std::size_t>(k)]) {
+            common = left_part(common, knife[k], knife.after(k), knife.side[static_cast<std::size_t>(k)]);
+            if (common.corners < 3)
+                return {};
+        }
+    return common;
+}
+
 double area(const ConvexPolygon& polygon)
 {
-    const auto corners = polygon.corners();
     double twice = 0;
-    for (std::size_t k = 2; k < corners.size(); ++k)
-        twice += left_of(corners[0], corners[k - 1], corners[k]);
+    for (int k = 2; k < polygon.corners; ++k) {
+        const PlanePoint a = difference(polygon[k - 1], polygon[0]), b = difference(polygon[k], polygon[0]);
+        twice += a.x * b.y - a.y * b.x;
+    }
     return twice / 2;
-}
-
-ConvexPolygon intersection(const ConvexPolygon& one, const ConvexPolygon& other)
-{
-    ConvexPolygon kept = one, next;
-    const auto corners = other.corners();
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        keep_left(kept, corners[k], corners[(k + 1) % corners.size()], next);
-        kept = next;
-    }
-    return kept;
-}
-
-ElementParts parts_of(const PlaneElement& element, PlanePoint origin, Parts parts)
-{
-    ElementParts found;
-    if (element.corners == 3) {
-        add_part(element, origin, {0, 1, 2, -1}, 3, found);
-        return found;
-    }
-    const bool convex = is_convex(element);
-    if (convex && parts == Parts::convex) {
-        add_part(element, origin, {0, 1, 2, 3}, 4, found);
-        return found;
-    }
-    const Diagonal diagonal = convex ? Diagonal::first_third : inner_diagonal(element);
-    for (const auto& half : halves(diagonal))
-        add_part(element, origin, {half[0], half[1], half[2], -1}, 3, found);
-    return found;
 }
 
 } // namespace morph

@@ -1,58 +1,42 @@
 #pragma once
 
-#include "libmorph/geometry/plane_element.h"
+#include "libmorph/geometry/predicates.h"
 
 #include <array>
-#include <span>
 
 namespace morph {
 
-/// A convex polygon of few corners, counter-clockwise.
-class ConvexPolygon {
-public:
-    /// What two quads can have in common has at most eight corners; rounding may double some of them.
-    static constexpr std::size_t kMostCorners = 16;
+/// The number of a side that none is asked for.
+inline constexpr int kNoSide = -1;
 
-    void add(PlanePoint p)
-    {
-        if (size_ < kMostCorners)
-            corners_[size_++] = p;
-    }
-    void clear() { size_ = 0; }
-    std::span<const PlanePoint> corners() const { return {corners_.data(), size_}; }
+/// A convex polygon of at most 8 corners, counter-clockwise. Each side keeps a number of the caller's when
+/// the polygon is clipped.
+struct ConvexPolygon {
+    static constexpr int kMost = 8;
 
-private:
-    std::array<PlanePoint, kMostCorners> corners_;
-    std::size_t size_ = 0;
+    std::array<PlanePoint, kMost> corner;
+    std::array<int, kMost> side; ///< of the side from each corner to the next
+    int corners = 0;             ///< 0: empty
+
+    PlanePoint operator[](int k) const { return corner[static_cast<std::size_t>(k)]; }
+    /// The corner after corner @p k.
+    PlanePoint after(int k) const { return (*this)[k + 1 < corners ? k + 1 : 0]; }
+    void add(PlanePoint p, int side_number);
 };
-
-/// The area of a polygon, positive when it runs counter-clockwise; length unit squared.
-double area(const ConvexPolygon& polygon);
 
 /// What two convex polygons have in common [Sutherland & Hodgman 1974, Communications of the ACM 17(1),
-/// 32-42]. Empty, or without area, when they only touch or are apart. Exact but for the rounding of the new
-/// corners.
-ConvexPolygon intersection(const ConvexPolygon& one, const ConvexPolygon& other);
+/// 32-42].
+///
+/// Its corners are relative to the first corner of @p subject, so that a polygon far from the origin loses no
+/// digits; its sides have the numbers of those they lie on, the subject's where two coincide. Polygons that
+/// only touch have nothing in common. Corners are right to rounding, about 1e-16 of the larger polygon, and
+/// two clippers that share a side split a subject without gap or overlap; so the smaller polygon is best the
+/// subject.
+///
+/// @param subject,clipper  at most 4 corners each; the subject may be degenerate
+ConvexPolygon clip(const ConvexPolygon& subject, const ConvexPolygon& clipper);
 
-/// Into which convex parts elements are cut.
-enum class Parts {
-    convex,    ///< one for a triangle or a convex quad, else two triangles
-    triangles, ///< always triangles: quads along the diagonal 1-3, or the inner one where they are not convex
-};
-
-/// A part of an element: its corners as numbers of the element's, counter-clockwise by their coordinates, and
-/// where they lie relative to some origin.
-struct ElementPart {
-    std::array<int, 4> corner{};
-    int corners = 0;
-    ConvexPolygon polygon;
-};
-
-/// The parts of an element; parts without area are left out.
-struct ElementParts {
-    std::array<ElementPart, 2> part;
-    int count = 0;
-};
-ElementParts parts_of(const PlaneElement& element, PlanePoint origin, Parts parts);
+/// Signed area; positive for a polygon that is not degenerate.
+double area(const ConvexPolygon& polygon);
 
 } // namespace morph

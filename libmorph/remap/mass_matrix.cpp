@@ -2,117 +2,247 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
+#include "libmorph/remap/pieces.h"
 
-#include <functional>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // rows
+constexpr std::size_t kRows = 4096; // in a block
+constexpr double kTolerance = 1e-15;
+constexpr int kMostIterations = 1000;
 
-using Row = Eigen::RowVectorXd;
-
-/// Sums over the rows, block by block so that they do not depend on the threads.
-Row sum_over_rows(Index rows, Eigen::Index columns,
-                  const std::function<Row(Index begin, Index count)>& block_sum)
+/// Entry i, j of a triangle's mass.
+double entry(const TriangleMass& mass, std::size_t i, std::size_t j)
 {
-    const auto n = static_cast<std::size_t>(rows);
-    std::vector<Row> sums((n + kGrain - 1) / kGrain);
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
-        sums[begin / kGrain] = block_sum(static_cast<Index>(begin), static_cast<Index>(end - begin));
-    });
-    Row total = Row::Zero(columns);
-    for (const Row& sum : sums)
-        total += sum;
-    return total;
+    constexpr std::array<std::array<std::size_t, 3>, 3> kPlace{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+    return mass[kPlace[i][j]];
 }
 
-Row dot(const Matrix& A, const Matrix& B)
-{
-    return sum_over_rows(static_cast<Index>(A.rows()), A.cols(), [&](Index begin, Index count) {
-        return Row(A.middleRows(begin, count).cwiseProduct(B.middleRows(begin, count)).colwise().sum());
-    });
-}
+/// The row of one vertex; the first entry is the diagonal.
+class Row {
+public:
+    void start(Index vertex)
+    {
+        columns.assign(1, vertex);
+        values.assign(1, 0);
+    }
 
-/// Y = Y * diag(y) + X * diag(x), by rows on every core.
-void combine(const Row& y, Matrix& Y, const Row& x, const Matrix& X)
-{
-    parallel_for(static_cast<std::size_t>(Y.rows()), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto r = static_cast<Eigen::Index>(i);
-            Y.row(r) = Y.row(r).cwiseProduct(y) + X.row(r).cwiseProduct(x);
+    void add(Index column, double value)
+    {
+        const auto found = std::find(columns.begin(), columns.end(), column);
+        if (found != columns.end()) {
+            values[static_cast<std::size_t>(found - columns.begin())] += value;
+            return;
         }
-    });
+        columns.push_back(column);
+        values.push_back(value);
+    }
+
+    /// Add what a triangle has at the vertex, if that is one of its corners.
+    void add_triangle(const std::array<Index, 4>& corners, const TriangleMass& mass)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (corners[i] == columns[0])
+                for (std::size_t j = 0; j < 3; ++j)
+                    if (entry(mass, i, j) != 0)
+                        add(corners[j], entry(mass, i, j));
+    }
+
+    std::vector<Index> columns;
+    std::vector<double> values;
+};
+
+/// The power of two below the largest magnitude in each column; divided by it, squares neither overflow nor
+/// vanish.
+Eigen::RowVectorXd column_sizes(const Matrix& R)
+{
+    Eigen::RowVectorXd sizes = Eigen::RowVectorXd::Ones(R.cols());
+    for (Eigen::Index k = 0; k < R.cols() && R.rows() > 0; ++k)
+        if (const double most = R.col(k).cwiseAbs().maxCoeff(); most > 0)
+            sizes[k] = std::ldexp(1.0, std::ilogb(most));
+    return sizes;
 }
 
-/// a / b, 0 where b is: a column that has converged to the last bit stays as it is.
-Row quotient(const Row& a, const Row& b)
+std::size_t block_count(std::size_t rows)
 {
-    return (b.array() > 0).select(a.array() / b.array(), 0.0).matrix();
+    return (rows + kRows - 1) / kRows;
 }
 
 } // namespace
 
-void MassMatrix::add_row(std::span<const MassEntry> entries)
+MassMatrix::MassMatrix(const Mesh& mesh, const std::vector<Index>& first_piece,
+                       const std::vector<TriangleMass>& masses)
 {
-    const Index row = rows();
-    double diagonal = 0;
-    for (const MassEntry& entry : entries)
-        diagonal += entry.column == row ? entry.value : 0;
-    entries_.insert(entries_.end(), entries.begin(), entries.end());
-    start_.push_back(entries_.size());
-    diagonal_.push_back(diagonal);
-}
-
-void MassMatrix::multiply(const Matrix& X, Matrix& result) const
-{
-    parallel_for(diagonal_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            auto row = result.row(static_cast<Eigen::Index>(i));
-            row.setZero();
-            for (std::size_t e = start_[i]; e < start_[i + 1]; ++e)
-                row += entries_[e].value * X.row(entries_[e].column);
+    const auto n = static_cast<std::size_t>(vertex_count(mesh));
+    blocks_.resize(block_count(n));
+    row_sums_.assign(n, 0);
+    parallel_for(n, kRows, [&](std::size_t begin, std::size_t end) {
+        RowBlock& block = blocks_[begin / kRows];
+        block.start.assign(1, 0);
+        Row row;
+        for (std::size_t v = begin; v < end; ++v) {
+            row.start(static_cast<Index>(v));
+            for (const FaceHandle face : mesh.kernel.vf_range(VertexHandle(static_cast<Index>(v)))) {
+                auto number = static_cast<std::size_t>(first_piece[static_cast<std::size_t>(face.idx())]);
+                for (const Piece& piece : cut_element(mesh, face.idx(), Cut::triangles).all())
+                    row.add_triangle(piece.vertices, masses[number++]);
+            }
+            const double sum = std::accumulate(row.values.begin(), row.values.end(), 0.0);
+            if (row.values[0] > 0 && sum > 0) {
+                block.column.insert(block.column.end(), row.columns.begin(), row.columns.end());
+                block.value.insert(block.value.end(), row.values.begin(), row.values.end());
+                row_sums_[v] = sum;
+            }
+            block.start.push_back(block.column.size());
         }
     });
 }
 
-Matrix MassMatrix::solve(const Matrix& B, Matrix start) const
-{
-    constexpr int kMostSteps = 2000;
-    constexpr double kConverged = 1e-28; // the square of the residual against that of the right-hand side
-    Matrix X = std::move(start);
-    Matrix R(B.rows(), B.cols()), Q(B.rows(), B.cols()), Z(B.rows(), B.cols());
-    const auto precondition = [&] {
-        for (Eigen::Index i = 0; i < R.rows(); ++i)
-            Z.row(i) = diagonal_[static_cast<std::size_t>(i)] > 0
-                           ? Row(R.row(i) / diagonal_[static_cast<std::size_t>(i)])
-                           : Row::Zero(R.cols());
-    };
-    R = B;
-    precondition();
-    const Row limit = kConverged * dot(R, Z);
-    multiply(X, Q);
-    R = B - Q;
-    precondition();
-    Matrix P = Z;
-    Row rz = dot(R, Z);
-    const Row one = Row::Ones(B.cols());
-    for (int step = 0; (rz.array() > limit.array()).any(); ++step) {
-        if (step == kMostSteps)
-            throw SolverError("the projection did not converge in " + std::to_string(kMostSteps) +
-                              " steps of conjugate gradients");
-        multiply(P, Q);
-        const Row alpha = quotient(rz, dot(P, Q));
-        combine(one, X, alpha, P);
-        combine(one, R, -alpha, Q);
-        precondition();
-        const Row next = dot(R, Z);
-        combine(quotient(next, rz), P, one, Z);
-        rz = next;
+/// Conjugate gradients on K columns at once, each with steps of its own.
+class MassMatrix::Iteration {
+public:
+    Iteration(const MassMatrix& M, const Matrix& R)
+        : M_(M), columns_(static_cast<std::size_t>(R.cols())), X_(Matrix::Zero(R.rows(), R.cols())), R_(R),
+          P_(X_), Q_(X_)
+    {
+        goal_ = kTolerance * kTolerance * residual();
+        start();
     }
-    return X;
+
+    bool converged() const { return (residual_.array() <= goal_.array()).all(); }
+    bool finite() const { return residual_.allFinite(); }
+
+    void step()
+    {
+        const Eigen::RowVectorXd energy = multiply();
+        const Eigen::RowVectorXd length = ratio(residual_, energy);
+        for_rows([&](std::size_t v, const Entries&) {
+            for (std::size_t k = 0; k < columns_; ++k) {
+                row(X_, v)[k] += length.data()[k] * row(P_, v)[k];
+                row(R_, v)[k] -= length.data()[k] * row(Q_, v)[k];
+            }
+        });
+        const Eigen::RowVectorXd before = residual_;
+        residual_ = residual();
+        turn(ratio(residual_, before));
+    }
+
+    Matrix take() { return std::move(X_); }
+
+private:
+    /// The entries of a row that is not empty, the diagonal first.
+    struct Entries {
+        std::span<const Index> column;
+        std::span<const double> value;
+    };
+
+    double* row(Matrix& A, std::size_t v) const { return A.data() + v * columns_; }
+
+    template <typename Work>
+    void for_rows(const Work& work) const
+    {
+        parallel_for(M_.row_sums_.size(), kRows, [&](std::size_t begin, std::size_t end) {
+            const RowBlock& block = M_.blocks_[begin / kRows];
+            for (std::size_t v = begin; v < end; ++v) {
+                const std::size_t first = block.start[v - begin], count = block.start[v - begin + 1] - first;
+                if (count > 0)
+                    work(v, Entries{{&block.column[first], count}, {&block.value[first], count}});
+            }
+        });
+    }
+
+    /// Sum of what @p work adds to a row of K sums, block by block.
+    template <typename Work>
+    Eigen::RowVectorXd sum(const Work& work) const
+    {
+        Matrix sums =
+            Matrix::Zero(static_cast<Eigen::Index>(M_.blocks_.size()), static_cast<Eigen::Index>(columns_));
+        for_rows([&](std::size_t v, const Entries& entries) { work(v, entries, row(sums, v / kRows)); });
+        return sums.colwise().sum();
+    }
+
+    /// Squares of the residuals in the norm of the preconditioner.
+    Eigen::RowVectorXd residual()
+    {
+        return sum([this](std::size_t v, const Entries& entries, double* squares) {
+            for (std::size_t k = 0; k < columns_; ++k)
+                squares[k] += row(R_, v)[k] * row(R_, v)[k] / entries.value[0];
+        });
+    }
+
+    /// Start from the solution of the lumped matrix, which has the integral of the exact one and is exact for
+    /// a constant.
+    void start()
+    {
+        for_rows([this](std::size_t v, const Entries&) {
+            for (std::size_t k = 0; k < columns_; ++k)
+                row(P_, v)[k] = row(X_, v)[k] = row(R_, v)[k] / M_.row_sums_[v];
+        });
+        multiply();
+        R_ -= Q_;
+        residual_ = residual();
+        turn(Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns_)));
+    }
+
+    /// Q = M P; returns the products of their columns.
+    Eigen::RowVectorXd multiply()
+    {
+        return sum([this](std::size_t v, const Entries& entries, double* products) {
+            double* q = row(Q_, v);
+            std::fill(q, q + columns_, 0.0);
+            for (std::size_t i = 0; i < entries.column.size(); ++i) {
+                const double* p = row(P_, static_cast<std::size_t>(entries.column[i]));
+                for (std::size_t k = 0; k < columns_; ++k)
+                    q[k] += entries.value[i] * p[k];
+            }
+            for (std::size_t k = 0; k < columns_; ++k)
+                products[k] += row(P_, v)[k] * q[k];
+        });
+    }
+
+    /// The next directions: the preconditioned residuals and a part of the directions before.
+    void turn(const Eigen::RowVectorXd& part)
+    {
+        for_rows([&](std::size_t v, const Entries& entries) {
+            for (std::size_t k = 0; k < columns_; ++k)
+                row(P_, v)[k] = row(R_, v)[k] / entries.value[0] + part.data()[k] * row(P_, v)[k];
+        });
+    }
+
+    /// a / b, and 0 for the columns that have converged.
+    Eigen::RowVectorXd ratio(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) const
+    {
+        return (residual_.array() <= goal_.array())
+            .select(Eigen::RowVectorXd::Zero(a.cols()), a.cwiseQuotient(b));
+    }
+
+    const MassMatrix& M_;
+    std::size_t columns_;
+    Matrix X_, R_, P_, Q_;
+    Eigen::RowVectorXd goal_, residual_;
+};
+
+Matrix MassMatrix::solve(const Matrix& R) const
+{
+    const Eigen::RowVectorXd sizes = column_sizes(R);
+    Iteration iteration(*this, R.array().rowwise() / sizes.array());
+    int steps = 0;
+    while (!iteration.converged() && iteration.finite() && steps < kMostIterations) {
+        iteration.step();
+        ++steps;
+    }
+    if (!iteration.converged())
+        throw SolverError("the projection onto the target has not converged after " + std::to_string(steps) +
+                          " iterations");
+    return iteration.take().array().rowwise() * sizes.array();
 }
 
 } // namespace morph

@@ -1,43 +1,52 @@
 #pragma once
 
-#include "libmorph/core/types.h"
+#include "libmorph/mesh/mesh.h"
 
-#include <cstddef>
-#include <span>
+#include <array>
 #include <vector>
 
 namespace morph {
 
-/// Entry of a symmetric matrix.
-struct MassEntry {
-    Index column = 0;
-    double value = 0;
-};
+/// Mass matrix of a triangle: int phi_i phi_j for the corners 00, 01, 02, 11, 12, 22.
+using TriangleMass = std::array<double, 6>;
 
-/// Sparse symmetric positive definite matrix by rows, such as the mass matrix of finite elements, whose
-/// condition does not grow with the number of rows.
+/// Sparse symmetric matrix of the vertices of a mesh, M_ij = int phi_i phi_j over a part of it.
+///
+/// Rows of vertices that the part does not touch are empty. Equal bytes for any thread count.
 class MassMatrix {
 public:
-    /// Append the next row; its diagonal is among the entries.
-    void add_row(std::span<const MassEntry> entries);
-
-    Index rows() const { return static_cast<Index>(start_.size()) - 1; }
-
-    /// X with this X = B by conjugate gradients, preconditioned by the diagonal, all columns at once
-    /// [Hestenes & Stiefel 1952, Journal of Research of the National Bureau of Standards 49(6), 409-436].
+    /// Add up the triangles around each vertex.
     ///
-    /// Rows whose diagonal is 0 are left out and 0 in the result. Equal bytes for any thread count.
-    /// @param B      n x K
-    /// @param start  n x K, a first guess
-    /// @throws SolverError  the residual did not fall to 1e-14 of where it began, or to rounding
-    Matrix solve(const Matrix& B, Matrix start) const;
+    /// @param mesh         planar; its elements are cut as Cut::triangles
+    /// @param first_piece  of each element the number of its first triangle, and of all in the end
+    /// @param masses       one for each triangle
+    MassMatrix(const Mesh& mesh, const std::vector<Index>& first_piece,
+               const std::vector<TriangleMass>& masses);
+
+    /// Solve M X = R for all columns at once, by conjugate gradients with the diagonal as preconditioner
+    /// [Hestenes & Stiefel 1952, Journal of Research of the National Bureau of Standards 49(6), 409-436], to
+    /// a residual of 1e-15 in the norm of the preconditioner.
+    ///
+    /// @param R  n x K; rows of empty rows of M do not count
+    /// @return n x K, 0 in those rows
+    /// @throws SolverError  no convergence, as when R is not finite
+    Matrix solve(const Matrix& R) const;
+
+    /// n: sums of the rows, int phi_i.
+    const std::vector<double>& row_sums() const { return row_sums_; }
 
 private:
-    void multiply(const Matrix& X, Matrix& result) const;
+    /// Consecutive rows. An entry is a column and a value; the first of a row is the diagonal.
+    struct RowBlock {
+        std::vector<std::size_t> start; ///< of each row, and the end
+        std::vector<Index> column;
+        std::vector<double> value;
+    };
 
-    std::vector<std::size_t> start_{0};
-    std::vector<MassEntry> entries_;
-    std::vector<double> diagonal_;
+    class Iteration;
+
+    std::vector<RowBlock> blocks_;
+    std::vector<double> row_sums_;
 };
 
 } // namespace morph

@@ -2,188 +2,189 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
+#include "libmorph/remap/visited_set.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <cmath>
+#include <numeric>
+#include <string>
 
 namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 256; // target elements
+constexpr std::size_t kGrain = 8192;
 
-/// A set of faces that is small most of the time.
-class FaceSet {
+// What rounding may make of the sum of overlaps that cover a piece, relative to its area.
+constexpr double kSumRounding = 1e-12;
+
+// What rounding may make of two pieces that only touch, relative to the smaller one's area.
+constexpr double kTouching = 1e-13;
+
+Points centre_of(const Piece& piece)
+{
+    Points centre = Points::Zero(1, 3);
+    for (int k = 0; k < piece.outline.corners; ++k)
+        centre += Eigen::RowVector3d(piece.outline[k].x, piece.outline[k].y, 0) / piece.outline.corners;
+    return centre;
+}
+
+Eigen::AlignedBox3d box_of(const Piece& piece)
+{
+    Eigen::AlignedBox3d box;
+    for (int k = 0; k < piece.outline.corners; ++k)
+        box.extend(Eigen::Vector3d(piece.outline[k].x, piece.outline[k].y, 0));
+    return box;
+}
+
+/// Finds the covers of one piece after the other.
+class Search {
 public:
-    void clear()
-    {
-        few_.clear();
-        many_.clear();
-    }
+    Search(const Locator& source, Cut cut) : source_(source), mesh_(source.source()), cut_(cut) {}
 
-    /// False when it was there already.
-    bool insert(Index face)
+    /// @param start  the element that holds the centre, or -1
+    CoveredPiece covers(const Piece& piece, Index start)
     {
-        constexpr std::size_t kFew = 48;
-        if (few_.size() < kFew) {
-            if (std::find(few_.begin(), few_.end(), face) != few_.end())
-                return false;
-            few_.push_back(face);
-            if (few_.size() == kFew)
-                many_.insert(few_.begin(), few_.end());
-            return true;
+        bool found = false;
+        if (start >= 0 && piece.area > 0) {
+            flood(piece, start);
+            found = std::abs(covered_ - piece.area) <= kSumRounding * piece.area;
         }
-        return many_.insert(face).second;
+        if (!found)
+            list(piece);
+        return {-1, -1, piece, covers_, covered_};
     }
 
 private:
-    std::vector<Index> few_;
-    std::unordered_set<Index> many_;
-};
-
-PlanePoint plane_point(const Mesh& mesh, VertexHandle v)
-{
-    const auto& p = mesh.kernel.point(v);
-    return {p[0], p[1]};
-}
-
-/// Whether segment a b touches a convex polygon of the element's corners: no line along a side of either has
-/// them strictly apart.
-bool touches(const PlaneElement& element, const ElementPart& part, PlanePoint a, PlanePoint b)
-{
-    const auto at = [&](int k) {
-        return element
-            .corner[static_cast<std::size_t>(part.corner[static_cast<std::size_t>(k % part.corners)])];
-    };
-    int left = 0, right = 0;
-    for (int k = 0; k < part.corners; ++k) {
-        const int sign = orientation(a, b, at(k));
-        left += sign > 0 ? 1 : 0;
-        right += sign < 0 ? 1 : 0;
-    }
-    if (left == part.corners || right == part.corners)
-        return false;
-    for (int k = 0; k < part.corners; ++k)
-        if (orientation(at(k), at(k + 1), a) < 0 && orientation(at(k), at(k + 1), b) < 0)
-            return false;
-    return true;
-}
-
-/// Finds the source elements around one target element after the other.
-class Finder {
-public:
-    Finder(const Locator& source, const Mesh& target, const std::vector<Index>& located, Parts parts)
-        : source_(source), mesh_(source.source()), target_(target), located_(located), parts_(parts)
+    void reset()
     {
+        covers_.clear();
+        covered_ = 0;
     }
 
-    void visit(Index face, const std::function<void(const TargetOverlaps&)>& visit)
+    void flood(const Piece& piece, Index start)
     {
-        element_ = plane_element(target_, face);
-        const PlanePoint origin = element_.corner[0];
-        const ElementParts target_parts = parts_of(element_, origin, parts_);
-        overlaps_.clear();
-        if (target_parts.count > 0) {
-            find_candidates(face, target_parts);
-            for (const Index candidate : candidates_)
-                add_overlaps(candidate, origin, target_parts);
+        reset();
+        visited_.clear();
+        visited_.insert(start);
+        front_.assign(1, start);
+        while (!front_.empty()) {
+            const Index face = front_.back();
+            front_.pop_back();
+            std::array<bool, 4> crossed{};
+            add(piece, face, crossed);
+            cross(face, crossed);
         }
-        visit({face, origin, &target_parts, overlaps_});
     }
 
-private:
-    void find_candidates(Index face, const ElementParts& target_parts)
+    void list(const Piece& piece)
     {
-        candidates_.clear();
-        Index start = -1;
-        for (const VertexHandle v : target_.kernel.fv_range(FaceHandle(face)))
-            start = std::max(start, located_[static_cast<std::size_t>(v.idx())]);
-        if (start < 0 || !flood(start, target_parts))
-            ask_tree();
-        std::sort(candidates_.begin(), candidates_.end());
+        reset();
+        if (piece.area == 0)
+            return;
+        source_.tree().overlapping(box_of(piece), candidates_);
+        std::array<bool, 4> crossed{};
+        for (const Index face : candidates_)
+            add(piece, face, crossed);
     }
 
-    /// Collect all that touches; false when a side of the boundary does.
-    bool flood(Index start, const ElementParts& target_parts)
+    /// @param crossed  set for the sides of the element that reach into the piece
+    void add(const Piece& piece, Index face, std::array<bool, 4>& crossed)
     {
-        const Kernel& kernel = mesh_.kernel;
-        seen_.clear();
-        seen_.insert(start);
-        candidates_.push_back(start);
-        for (std::size_t next = 0; next < candidates_.size(); ++next)
-            for (const HalfedgeHandle side : kernel.fh_range(FaceHandle(candidates_[next]))) {
-                const HalfedgeHandle beyond = kernel.opposite_halfedge_handle(side);
-                const bool boundary = kernel.is_boundary(beyond);
-                const Index neighbor = boundary ? -1 : kernel.face_handle(beyond).idx();
-                if (!side_touches(side, target_parts))
-                    continue;
-                if (boundary)
-                    return false;
-                if (seen_.insert(neighbor))
-                    candidates_.push_back(neighbor);
+        for (const Piece& part : cut_element(mesh_, face, cut_).all()) {
+            const bool part_first = part.area < piece.area;
+            const ConvexPolygon& small = part_first ? part.outline : piece.outline;
+            const ConvexPolygon common = clip(small, part_first ? piece.outline : part.outline);
+            for (int k = 0; k < common.corners; ++k)
+                if (const int side = common.side[static_cast<std::size_t>(k)]; side != kNoSide)
+                    crossed[static_cast<std::size_t>(side)] = true;
+            const double common_area = area(common);
+            if (part.area > 0 && common_area > kTouching * std::min(part.area, piece.area)) {
+                covers_.push_back({face, part, common, small[0], common_area});
+                covered_ += common_area;
             }
-        return true;
-    }
-
-    bool side_touches(HalfedgeHandle side, const ElementParts& target_parts) const
-    {
-        const PlanePoint a = plane_point(mesh_, mesh_.kernel.from_vertex_handle(side));
-        const PlanePoint b = plane_point(mesh_, mesh_.kernel.to_vertex_handle(side));
-        for (int i = 0; i < target_parts.count; ++i)
-            if (touches(element_, target_parts.part[static_cast<std::size_t>(i)], a, b))
-                return true;
-        return false;
-    }
-
-    void ask_tree()
-    {
-        Eigen::AlignedBox3d box;
-        for (int k = 0; k < element_.corners; ++k) {
-            const PlanePoint p = element_.corner[static_cast<std::size_t>(k)];
-            box.extend(Eigen::Vector3d(p.x, p.y, 0));
         }
-        source_.tree().overlapping(box, candidates_);
     }
 
-    void add_overlaps(Index face, PlanePoint origin, const ElementParts& target_parts)
+    void cross(Index face, const std::array<bool, 4>& crossed)
     {
-        const ElementParts source_parts = parts_of(plane_element(mesh_, face), origin, parts_);
-        for (int t = 0; t < target_parts.count; ++t)
-            for (int s = 0; s < source_parts.count; ++s) {
-                const ElementPart& target_part = target_parts.part[static_cast<std::size_t>(t)];
-                const ElementPart& source_part = source_parts.part[static_cast<std::size_t>(s)];
-                const ConvexPolygon piece = intersection(target_part.polygon, source_part.polygon);
-                if (area(piece) > 0)
-                    overlaps_.push_back({face, &target_part, source_part, piece});
-            }
+        HalfedgeHandle side = mesh_.kernel.halfedge_handle(FaceHandle(face)); // into corner 0
+        for (const bool open : crossed) {
+            side = mesh_.kernel.next_halfedge_handle(side);
+            if (!open)
+                continue;
+            const FaceHandle beyond = mesh_.kernel.opposite_face_handle(side);
+            if (beyond.is_valid() && visited_.insert(beyond.idx()))
+                front_.push_back(beyond.idx());
+        }
     }
 
     const Locator& source_;
     const Mesh& mesh_;
-    const Mesh& target_;
-    const std::vector<Index>& located_; ///< source face of each target vertex
-    Parts parts_;
-    PlaneElement element_;
+    Cut cut_;
+    std::vector<Overlap> covers_;
+    double covered_ = 0;
+    VisitedSet visited_;
+    std::vector<Index> front_;
     std::vector<Index> candidates_;
-    FaceSet seen_;
-    std::vector<Overlap> overlaps_;
 };
+
+void require_planar(const Mesh& mesh, const char* which)
+{
+    if (mesh.dimension != 2)
+        throw InputError(std::string("the ") + which +
+                         " lies in space, but only planar meshes can be remapped conservatively");
+}
+
+/// Of each element its first piece, and the number of pieces in the end.
+std::vector<Index> first_pieces(const Mesh& mesh, Cut cut)
+{
+    const auto faces = static_cast<std::size_t>(element_count(mesh));
+    std::vector<Index> first(faces + 1, 0);
+    parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            first[f + 1] = piece_count(mesh, static_cast<Index>(f), cut);
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
+}
 
 } // namespace
 
-void for_each_overlap(const Locator& source, const Mesh& target, Parts parts,
-                      const std::function<void(const TargetOverlaps&)>& visit)
+Overlaps::Overlaps(const Locator& source, const Mesh& target, Cut cut)
+    : source_(source), target_(target), cut_(cut)
 {
-    if (source.source().dimension == 3 || target.dimension == 3)
-        throw InputError("integrals are kept between planar meshes only, but the " +
-                         std::string(target.dimension == 3 ? "target" : "source") + " lies in space");
-    const std::vector<Index> located = source.locate(points(target)).face;
-    parallel_for(static_cast<std::size_t>(element_count(target)), kGrain,
-                 [&](std::size_t begin, std::size_t end) {
-                     Finder finder(source, target, located, parts);
-                     for (std::size_t face = begin; face < end; ++face)
-                         finder.visit(static_cast<Index>(face), visit);
-                 });
+    require_planar(source.source(), "source");
+    require_planar(target, "target");
+    if (element_count(source.source()) == 0)
+        throw InputError("the source has no element to take values from");
+    first_piece_ = first_pieces(target, cut);
+    Points centres = Points::Zero(first_piece_.back(), 3);
+    parallel_for(first_piece_.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            Index i = first_piece_[f];
+            for (const Piece& piece : cut_element(target, static_cast<Index>(f), cut).all())
+                centres.row(i++) = centre_of(piece);
+        }
+    });
+    start_ = source.locate(centres).face;
+}
+
+void Overlaps::visit(std::size_t begin, std::size_t end,
+                     const std::function<void(const CoveredPiece&)>& visitor) const
+{
+    Search search(source_, cut_);
+    for (std::size_t f = begin; f < end; ++f) {
+        Index number = first_piece_[f];
+        Pieces pieces = cut_element(target_, static_cast<Index>(f), cut_);
+        for (Piece& piece : pieces.all()) {
+            piece.outline.side.fill(kNoSide);
+            CoveredPiece covered = search.covers(piece, start_[static_cast<std::size_t>(number)]);
+            covered.face = static_cast<Index>(f);
+            covered.number = number++;
+            visitor(covered);
+        }
+    }
 }
 
 } // namespace morph

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "libmorph/remap/clip.h"
 #include "libmorph/remap/locate.h"
+#include "libmorph/remap/pieces.h"
 
 #include <functional>
 #include <span>
@@ -9,37 +9,58 @@
 
 namespace morph {
 
-/// What a part of a target element and a part of a source element have in common.
+/// What a convex piece of the target and one of the source have in common.
 struct Overlap {
-    Index source = 0;                 ///< face of the source
-    const ElementPart* target_part{}; ///< of the target element
-    ElementPart source_part;          ///< of the source element
-    ConvexPolygon piece;              ///< relative to the origin of the target element, of positive area
+    Index face = -1;      ///< element of the source
+    Piece source;         ///< the piece of it
+    ConvexPolygon common; ///< corners relative to @c origin
+    PlanePoint origin;
+    double area = 0; ///< of @c common, positive
 };
 
-/// A target element with all it has in common with the source, by ascending source face.
-struct TargetOverlaps {
-    Index target = 0;  ///< face of the target
-    PlanePoint origin; ///< its first corner: coordinates of parts and pieces are relative to it, so that they
-                       ///  have all their digits however far from 0 the mesh lies
-    const ElementParts* parts{}; ///< of the target element
-    std::span<const Overlap> overlaps;
+/// A convex piece of the target with all that covers it.
+struct CoveredPiece {
+    Index face = -1;                 ///< element of the target
+    Index number = -1;               ///< of the piece, counted through the whole target
+    Piece piece;                     ///< of it
+    std::span<const Overlap> covers; ///< at most one for each piece of the source
+    double area = 0;                 ///< sum over @c covers
 };
 
-/// Call visit once for each element of a planar target, in blocks on every core.
+/// Finds what of a planar source covers each element of a planar target.
 ///
-/// The source elements that touch a target element are found by a flood over the sides of the source that
-/// touch it, from the source element that holds one of its corners. They cover the target element when no
-/// side among them is on the boundary of the source: a point of it outside of them would be seen from a
-/// point inside along a segment within the element (its parts are convex) that leaves them through a side
-/// which touches it, but the flood has crossed all of those. Where the flood does meet the boundary, or no
-/// corner lies in the source, holes, concave sides and other parts may hide more: there the elements whose
-/// boxes meet come from the tree. Whether a side touches is decided exactly, so that rounding loses nothing.
+/// From the source element that holds the centre of a target piece T, a flood goes across every side that
+/// clipping leaves a bit of inside T. T is convex, and so is T with a margin of rounding taken off: any two
+/// source elements that reach into it are joined by a path inside it that avoids all vertices, and clipping
+/// in floating point leaves a bit of each side that the path crosses. Only where the boundary of the source
+/// runs through T may the path not exist (holes, concave sides, separate parts). So the areas prove the
+/// answer: when what was found adds up to the area of T, nothing is missing. When it does not, or no element
+/// holds the centre, the ElementTree lists all elements that T's box meets. Costs O(1) for each pair of
+/// overlapping elements, plus O(log m) for each target piece that the source does not cover entirely.
 ///
-/// O(number of overlaps), and O(log m) for target elements at the boundary. @p source must not overlap itself
-/// for the flood to find all.
-/// @throws InputError  source or target is a surface in space
-void for_each_overlap(const Locator& source, const Mesh& target, Parts parts,
-                      const std::function<void(const TargetOverlaps&)>& visit);
+/// Elements count with positive area whichever way round they run. Where elements of a tangled source overlap
+/// each other, all of those are found as far as the flood reaches them; where it has covered T exactly once,
+/// others may stay unseen.
+class Overlaps {
+public:
+    /// @param source,target  outlive this and are not moved while it lives
+    /// @throws InputError  either lies in space, the source has no element
+    Overlaps(const Locator& source, const Mesh& target, Cut cut);
+
+    /// Visit each piece of the target elements begin to end, in their order; those that nothing of the
+    /// source covers with more than rounding too, with no covers. May run in several threads at once.
+    void visit(std::size_t begin, std::size_t end,
+               const std::function<void(const CoveredPiece&)>& visitor) const;
+
+    /// m + 1: the number of the first piece of each element, and of all in the end.
+    const std::vector<Index>& first_piece() const { return first_piece_; }
+
+private:
+    const Locator& source_;
+    const Mesh& target_;
+    Cut cut_;
+    std::vector<Index> first_piece_;
+    std::vector<Index> start_; ///< of each piece: the element of the source that holds its centre, or -1
+};
 
 } // namespace morph

@@ -38,10 +38,10 @@ std::string outside_text(const SiteCounts& counts, const std::string& what)
 }
 
 /// What the common area leaves of an area; less than rounding is nothing.
-double uncovered(double whole, const CommonArea& area)
+double uncovered(double whole, double common)
 {
     constexpr double kRounding = 1e-13;
-    const double rest = whole - area.common;
+    const double rest = whole - common;
     return rest > kRounding * whole ? rest : 0;
 }
 
@@ -71,15 +71,16 @@ std::string range(const FieldTotals& totals)
 void describe_conservation(const Conservation& conservation, const std::string& key, const std::string& what,
                            Report& report)
 {
-    const CommonArea& area = conservation.area;
-    ordered_json json{{"common_area", area.common},
-                      {"uncovered_source_area", uncovered(area.source, area)},
-                      {"uncovered_target_area", uncovered(area.target, area)},
+    const double common = conservation.common_area;
+    const double source = uncovered(conservation.source_area, common);
+    const double target = uncovered(conservation.target_area, common);
+    ordered_json json{{"common_area", common},
+                      {"uncovered_source_area", source},
+                      {"uncovered_target_area", target},
                       {"uncovered_" + what, conservation.uncovered},
                       {"fields", ordered_json::array()}};
-    report.say("common area " + short_number(area.common) +
-               "; not covered: " + short_number(uncovered(area.source, area)) + " of the source, " +
-               short_number(uncovered(area.target, area)) + " of the target; " +
+    report.say("common area " + short_number(common) + "; not covered: " + short_number(source) +
+               " of the source, " + short_number(target) + " of the target; " +
                std::to_string(conservation.uncovered) + " " + what + " wholly");
     for (const auto& field : conservation.fields) {
         json["fields"].push_back({{"name", field.field},
