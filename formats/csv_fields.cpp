@@ -56,6 +56,28 @@ std::vector<Eigen::Index> rows_in_order(const CsvTable& table)
     return rows;
 }
 
+/// Some columns side by side. By elements and not by blocks, because a table without rows has no first.
+Matrix gathered(const CsvTable& table, const std::vector<Eigen::Index>& rows, Eigen::Index first,
+                Eigen::Index count)
+{
+    Matrix values(static_cast<Eigen::Index>(rows.size()), count);
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+        for (Eigen::Index c = 0; c < count; ++c)
+            values(i, c) = table.rows(rows[static_cast<std::size_t>(i)], first + c);
+    return values;
+}
+
+Points gathered_points(const CsvTable& table, const std::vector<Eigen::Index>& rows, Eigen::Index x,
+                       Eigen::Index y, std::optional<Eigen::Index> z)
+{
+    Points points(static_cast<Eigen::Index>(rows.size()), 3);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::Index row = rows[static_cast<std::size_t>(i)];
+        points.row(i) << table.rows(row, x), table.rows(row, y), z ? table.rows(row, *z) : 0.0;
+    }
+    return points;
+}
+
 bool has_column(const CsvTable& table, const std::string& name)
 {
     return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
@@ -97,9 +119,8 @@ std::vector<Field> fields_of(const CsvTable& table, const std::vector<Eigen::Ind
         const FieldColumns columns = field_columns(table, c);
         if (columns.name.empty())
             fail(table, table.header_line, "column " + std::to_string(c + 1) + " has no name");
-        fields.push_back(
-            {columns.name, FieldLocation::vertex,
-             table.rows.middleCols(static_cast<Eigen::Index>(c), columns.count)(rows, Eigen::all)});
+        fields.push_back({columns.name, FieldLocation::vertex,
+                          gathered(table, rows, static_cast<Eigen::Index>(c), columns.count)});
         c += static_cast<std::size_t>(columns.count);
     }
     return fields;
@@ -195,13 +216,8 @@ CsvNodes csv_nodes(const CsvTable& table)
     for (const auto& column : {x, y, x ? z : std::nullopt, id})
         if (column)
             taken[static_cast<std::size_t>(*column)] = true;
-    if (x) {
-        nodes.points.emplace(Points::Zero(table.rows.rows(), 3));
-        nodes.points->col(0) = table.rows.col(*x)(rows);
-        nodes.points->col(1) = table.rows.col(*y)(rows);
-        if (z)
-            nodes.points->col(2) = table.rows.col(*z)(rows);
-    }
+    if (x)
+        nodes.points = gathered_points(table, rows, *x, *y, z);
     nodes.fields = fields_of(table, rows, taken);
     return nodes;
 }

@@ -241,7 +241,8 @@ Matrix csv_columns(const CsvTable& table, const std::vector<std::string>& names)
         if (found == table.columns.end())
             throw InputError(table.path + ": has no column '" + names[i] + "', but " + joined(table.columns) +
                              did_you_mean(names[i], table.columns));
-        chosen.col(static_cast<Eigen::Index>(i)) = table.rows.col(found - table.columns.begin());
+        for (Eigen::Index r = 0; r < chosen.rows(); ++r) // no blocks: without rows there is no first
+            chosen(r, static_cast<Eigen::Index>(i)) = table.rows(r, found - table.columns.begin());
     }
     return chosen;
 }

@@ -41,6 +41,7 @@ TEST(CsvTable, PicksColumnsByName)
     EXPECT_EQ(picked(1, 0), 6);
     EXPECT_EQ(picked(1, 1), 4);
     EXPECT_THROW(csv_columns(table, {"d"}), InputError);
+    EXPECT_EQ(csv_columns(parse_csv_table("a,b\n", "t.csv"), {"b", "a"}).rows(), 0);
 }
 
 TEST(CsvTable, NamesTheLineOfWhatIsWrong)

@@ -143,7 +143,15 @@ TEST(Csv, IsPlanarUnlessSomeZIsNotZero)
     const MeshData surface = read_bytes("z,x,y\n0,1,2\n5,3,4\n", "csv");
     EXPECT_EQ(surface.dimension, 3);
     EXPECT_EQ(surface.points, (Points(2, 3) << 1, 2, 0, 3, 4, 5).finished());
-    EXPECT_EQ(read_bytes("x,y\n", "csv").points.rows(), 0);
+}
+
+TEST(Csv, ATableWithoutRowsIsAMeshWithoutPoints)
+{
+    const MeshData mesh = read_bytes("T,x,y,v_0,v_1", "csv");
+    EXPECT_EQ(mesh.points.rows(), 0);
+    ASSERT_THAT(field_names(mesh), ElementsAre("T", "v"));
+    EXPECT_EQ(mesh.fields[1].values.rows(), 0);
+    EXPECT_EQ(mesh.fields[1].values.cols(), 2);
 }
 
 TEST(Csv, NumberedColumnsThatFollowOneAnotherAreOneField)
