@@ -1,7 +1,6 @@
 #include "formats/field_file.h"
 
 #include "formats/csv_fields.h"
-#include "formats/formats.h"
 #include "formats/input_file.h"
 #include "formats/number_text.h"
 #include "formats/tuc_files.h"
@@ -90,14 +89,19 @@ FieldFile read_file(const Format& format, const InputBytes& file, const MeshData
 
 } // namespace
 
+FieldFile parse_fields(const InputBytes& file, const MeshData& mesh, const std::string& format)
+{
+    FieldFile found = read_file(find_format(file.path, format), file, mesh);
+    if (found.fields.empty())
+        throw InputError(file.path + ": has no fields");
+    return found;
+}
+
 FieldFile read_fields(const std::string& path, const MeshData& mesh, const std::string& format)
 {
-    const Format& reader = find_format(path, format);
-    const InputFile input(path);
-    FieldFile file = read_file(reader, {path, input.bytes()}, mesh);
-    if (file.fields.empty())
-        throw InputError(path + ": has no fields");
-    return file;
+    find_format(path, format); // before the file is opened
+    const InputFile file(path);
+    return parse_fields({path, file.bytes()}, mesh, format);
 }
 
 } // namespace morph

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh_data.h"
+#include "formats/format.h"
 
 #include <string>
 #include <vector>
@@ -24,5 +24,8 @@ struct FieldFile {
 ///                     vertices that lie elsewhere, by more than 1e-6 of the diagonal of the mesh's box; a
 ///                     value is not finite; there are no fields
 FieldFile read_fields(const std::string& path, const MeshData& mesh, const std::string& format = "");
+
+/// As read_fields(), from bytes in memory.
+FieldFile parse_fields(const InputBytes& file, const MeshData& mesh, const std::string& format = "");
 
 } // namespace morph

@@ -175,6 +175,24 @@ TEST(FieldFile, AFileWithoutFieldsIsRefused)
     EXPECT_THAT(refusal(mesh, "fields.dat", ""), testing::StartsWith("fields.dat: the extension '.dat'"));
 }
 
+TEST(FieldFile, SurvivesMutatedFiles)
+{
+    const MeshData mesh = square_and_triangle(0);
+    for (const auto& [format, seed] :
+         {std::pair<std::string, std::string>{
+              "csv", "PointID,x,y,T\n4,2,.5,14\n3,0,1,13\n2,1,1,12\n1,1,0,11\n0,0,0,1\n"},
+          {"csv", kTable},
+          {"tuc", "2\n1 10 11 12 13\n2 11 14 12 0\n"},
+          {"vtu", test::written(with_fields(mesh, "fields.csv", kTable), "vtu", {.binary = false})}}) {
+        const auto read = [&, name = format](const InputBytes& file) {
+            MeshData with_file = mesh;
+            with_file.fields = parse_fields(file, mesh, name).fields;
+            return with_file;
+        };
+        test::survive_mutations(read, {seed}, 400);
+    }
+}
+
 } // namespace
 
 } // namespace morph
