@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/deform/apply.h"
+#include "libmorph/deform/gradient.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/weights/weight_fields.h"
 #include "tools/case/generate_mesh.h"
@@ -10,6 +11,7 @@
 #include "tools/common/run.h"
 #include "tools/deform/case_weights.h"
 #include "tools/deform/deform_report.h"
+#include "tools/deform/gradient_file.h"
 #include "tools/deform/moved_case.h"
 
 namespace {
@@ -26,6 +28,7 @@ struct Options {
     std::string diffusivity;
     std::string weights;
     std::string save_weights;
+    std::string gradient;
     std::string guard;
     std::string from;
     std::string to;
@@ -51,6 +54,11 @@ void add_options(CommandLine& line, Options& options)
     app.add_option("--save-weights", options.save_weights,
                    "Write the weights as nodal fields h_<boundary>_<i> on the undeformed mesh")
         ->type_name("W.vtu");
+    app.add_option("--gradient", options.gradient,
+                   "Move nothing: turn the derivatives dJ/dX of an objective by the vertices (CSV with "
+                   "id,dx,dy) into\n"
+                   "those by the control points, which go to OUT as CSV")
+        ->type_name("dJdX.csv");
     app.add_option("--guard", options.guard,
                    "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
                    "are any; none: do not look")
@@ -70,14 +78,27 @@ CaseFile case_with_options(const Options& options)
     take(options.diffusivity, file.diffusivity);
     take(options.guard, file.guard);
     take(options.output, file.output_mesh);
+    if (!options.gradient.empty() && options.output.empty())
+        throw UsageError("where should the derivatives by the control points go? give -o OUT.csv");
     if (file.output_mesh.empty())
         throw UsageError("where should the moved mesh go? give -o OUT or [output] mesh in " + file.path);
     return file;
 }
 
+DeformResult result_for(const CaseFile& file)
+{
+    DeformResult result;
+    result.method = file.method;
+    result.diffusivity = file.diffusivity;
+    result.guard = file.guard;
+    result.output = file.output_mesh;
+    return result;
+}
+
 void require_outputs_writable(const Options& options, const CaseFile& file)
 {
-    find_format(file.output_mesh, options.to);
+    if (options.gradient.empty())
+        find_format(file.output_mesh, options.to);
     OutputFiles::require_writable(file.output_mesh);
     if (options.save_weights.empty())
         return;
@@ -138,6 +159,26 @@ void move_and_check(Mesh& mesh, const Weights& weights, const PlacedCase& placed
     result.seconds.guard = watch.lap();
 }
 
+/// --gradient: derivatives by the vertices in, by the control points out; nothing moves.
+void stage_gradient(const Options& options, const Mesh& mesh, const Weights& weights, OutputFiles& outputs)
+{
+    const Matrix by_vertex = read_vertex_gradient(options.gradient, mesh);
+    write_control_point_gradient(outputs.open(options.output), weights.columns,
+                                 control_point_gradient(weights, by_vertex), {0, 0, 0});
+}
+
+/// Let the pulled points have their say about the displacements.
+void pull_points_of(const Mesh& mesh, const CaseFile& file, const Weights& weights, PlacedCase& placed,
+                    DeformResult& result)
+{
+    if (file.pulls.empty())
+        return;
+    Matrix displacements = placed.displacements;
+    result.pull = pull(mesh, file, weights, displacements);
+    placed.displacements = displacements;
+    require_ends_together(mesh, placed.boundaries, placed.conditions, placed.displacements);
+}
+
 int deform(int argc, char** argv)
 {
     Options options;
@@ -154,14 +195,10 @@ int deform(int argc, char** argv)
     Stopwatch watch;
     const CaseFile file = case_with_options(options);
     require_outputs_writable(options, file);
-    DeformResult result;
-    result.method = file.method;
-    result.diffusivity = file.diffusivity;
-    result.guard = file.guard;
-    result.output = file.output_mesh;
+    DeformResult result = result_for(file);
     Mesh mesh = load_mesh(file, options.from);
     result.seconds.read = watch.lap();
-    const PlacedCase placed = place_case(mesh, file);
+    PlacedCase placed = place_case(mesh, file);
     for (const std::string& warning : placement_warnings(placed))
         warn(kTool, warning);
     const Weights weights = options.weights.empty() ? solve_weights(mesh, placed, file)
@@ -172,9 +209,14 @@ int deform(int argc, char** argv)
     if (!options.save_weights.empty())
         stage_weights(mesh, weights, options.save_weights, outputs);
     result.seconds.write = watch.lap();
-    move_and_check(mesh, weights, placed, result);
-    watch.lap();
-    stage_mesh(to_data(mesh), file.output_mesh, options.to, outputs);
+    if (!options.gradient.empty()) {
+        stage_gradient(options, mesh, weights, outputs);
+    } else {
+        pull_points_of(mesh, file, weights, placed, result);
+        move_and_check(mesh, weights, placed, result);
+        watch.lap();
+        stage_mesh(to_data(mesh), file.output_mesh, options.to, outputs);
+    }
     result.seconds.write += watch.lap();
     describe(result, placed, report);
     report.finish(outputs);

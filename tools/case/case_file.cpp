@@ -163,10 +163,11 @@ CaseFile parse_case_file(std::string_view bytes, const std::string& path)
 {
     const toml::table document = parse(bytes, path);
     const TomlTable root(document, path, "the case file");
-    root.require_known({"mesh", "boundary", "deform", "output"});
+    root.require_known({"mesh", "boundary", "pull", "deform", "output"});
     CaseFile file;
     file.path = path;
     read_mesh_section(root, file);
+    file.pulls = pull_entries(root);
     read_boundaries(root, file);
     read_deform_section(root, file);
     read_output_section(root, file);

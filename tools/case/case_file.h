@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/curve.h"
+#include "tools/case/pull_entry.h"
 
 #include <array>
 #include <optional>
@@ -31,6 +32,7 @@ struct CaseFile {
     std::string mesh_file; ///< empty with generate
     std::optional<GenerateEntry> generate;
     std::vector<BoundaryEntry> boundaries;
+    std::vector<PullEntry> pulls;
     std::string method = "harmonic";
     std::string diffusivity = "uniform";
     std::string guard = "check";

@@ -160,6 +160,14 @@ std::optional<Matrix> TomlTable::rows(const std::string& key, const std::vector<
     return node->is_table() ? rows_from_file(key, columns) : rows_from_array(key, columns);
 }
 
+std::size_t TomlTable::row_width(const std::string& key) const
+{
+    const toml::node* node = table_.get(key);
+    const toml::array* items = node == nullptr ? nullptr : node->as_array();
+    const toml::array* row = items == nullptr || items->empty() ? nullptr : items->get(0)->as_array();
+    return row == nullptr ? 0 : row->size();
+}
+
 Matrix TomlTable::rows_from_array(const std::string& key, const std::vector<std::string>& columns) const
 {
     const bool pairs = columns.size() == 2;

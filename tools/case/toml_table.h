@@ -39,6 +39,8 @@ public:
     std::optional<Points2> pairs(const std::string& key, const std::vector<std::string>& columns) const;
     /// [[a, b, ...], ...] with as many numbers in each row as there are @p columns, or a file as above.
     std::optional<Matrix> rows(const std::string& key, const std::vector<std::string>& columns) const;
+    /// How many entries the first of the rows of a list has; 0 where there is none.
+    std::size_t row_width(const std::string& key) const;
     std::optional<TomlTable> table(const std::string& key, const std::string& name) const;
     /// [[key]] entries, none when the key is missing.
     std::vector<TomlTable> tables(const std::string& key) const;

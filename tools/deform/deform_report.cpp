@@ -49,6 +49,24 @@ ordered_json seconds_json(const StageSeconds& seconds)
             {"write", seconds.write}};
 }
 
+void describe_pull(const PullOutcome& pull, Report& report)
+{
+    const double farthest = pull.residual.rowwise().norm().maxCoeff();
+    ordered_json residuals = ordered_json::array();
+    for (std::size_t i = 0; i < pull.vertices.size(); ++i) {
+        ordered_json row = ordered_json::array();
+        for (const double component : pull.residual.row(static_cast<Eigen::Index>(i)))
+            row.push_back(component);
+        residuals.push_back({{"vertex", pull.vertices[i]}, {"residual", row}});
+    }
+    report.json["pull"] = {{"points", pull.vertices.size()},
+                           {"rank", pull.rank},
+                           {"max_residual", farthest},
+                           {"residuals", residuals}};
+    report.say("pulled " + std::to_string(pull.vertices.size()) + " points, reached to within " +
+               short_number(farthest));
+}
+
 void describe_quality(const DeformResult& result, Report& report)
 {
     if (!result.before || !result.after)
@@ -79,7 +97,7 @@ void describe(const DeformResult& result, const PlacedCase& placed, Report& repo
     json["output"] = result.output;
     json["control_points"] = placed.conditions.columns.size();
     json["boundaries"] = ordered_json::array();
-    for (std::size_t b = 0; b < placed.boundaries.size(); ++b) {
+    for (std::size_t b = 0; b < result.fits.size(); ++b) { // none when only a gradient was asked for
         json["boundaries"].push_back(boundary_json(placed.boundaries[b], result.fits[b]));
         report.say(boundary_line(placed.boundaries[b], result.fits[b]));
     }
@@ -87,6 +105,8 @@ void describe(const DeformResult& result, const PlacedCase& placed, Report& repo
                        {"max", result.weights.max},
                        {"partition_error", result.weights.partition_error}};
     report.say(weights_line(result, placed));
+    if (result.pull)
+        describe_pull(*result.pull, report);
     json["boundary_crossings"] = result.crossings;
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);

@@ -2,6 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 #include "tools/common/report.h"
+#include "tools/deform/case_control.h"
 #include "tools/deform/case_weights.h"
 #include "tools/deform/moved_case.h"
 
@@ -28,6 +29,7 @@ struct DeformResult {
     std::string output;
     WeightsCheck weights;
     std::vector<BoundaryFit> fits;       ///< one per boundary
+    std::optional<PullOutcome> pull;     ///< with [[pull]]
     std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
     std::optional<QualityReport> before; ///< without guard = "none"
     std::optional<QualityReport> after;
