@@ -1,4 +1,5 @@
 // Carrying fields from one mesh to another: locating and interpolating, sorting and any index included.
+#include "libmorph/mesh/builder.h"
 #include "libmorph/remap/interpolate.h"
 #include "tests/bench/peak_memory.h"
 #include "tests/bench/remap_inputs.h"
@@ -25,6 +26,23 @@ void BM_LocateAndInterpolate(benchmark::State& state)
     state.counters["ns/target"] =
         benchmark::Counter(size, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["B/target"] = static_cast<double>(peak) / size;
+}
+
+/// From the arrays of a file: the halfedge structure and its numbering along the curve included.
+void BM_BuildLocateAndInterpolate(benchmark::State& state)
+{
+    const auto size = static_cast<Index>(state.range(0));
+    const MeshData data = source_data(size);
+    const Points targets = random_points(size);
+    for (auto _ : state) {
+        state.PauseTiming();
+        MeshData copy = data;
+        state.ResumeTiming();
+        const Mesh source = build_mesh(std::move(copy));
+        const std::vector<const Field*> fields{&source.fields[0], &source.fields[1]};
+        const Locations found = Locator(source).locate(targets);
+        benchmark::DoNotOptimize(interpolate(source, found, targets, fields, QuadRule::bilinear));
+    }
 }
 
 void BM_LocateOnly(benchmark::State& state)
@@ -67,6 +85,7 @@ BENCHMARK(BM_LocateAndInterpolate)
     ->Arg(4000000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK(BM_BuildLocateAndInterpolate)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(BM_LocateOnly)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(BM_BuildElementTree)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(BM_AskElementTree)->Arg(1000000);

@@ -51,13 +51,18 @@ Points random_points(Index count)
     return made;
 }
 
+MeshData source_data(Index vertices)
+{
+    MeshData data = triangulated_square(vertices, Order::sorted);
+    const Matrix values = smooth_values(data.points);
+    data.fields = {{"pressure", FieldLocation::vertex, values.leftCols(1)},
+                   {"velocity", FieldLocation::vertex, values.rightCols(3)}};
+    return data;
+}
+
 Mesh source_mesh(Index vertices)
 {
-    Mesh mesh = build_mesh(triangulated_square(vertices, Order::shuffled));
-    const Matrix values = smooth_values(points(mesh));
-    mesh.fields = {{"pressure", FieldLocation::vertex, values.leftCols(1)},
-                   {"velocity", FieldLocation::vertex, values.rightCols(3)}};
-    return mesh;
+    return build_mesh(source_data(vertices));
 }
 
 Cloud cloud(Place place)

@@ -9,8 +9,11 @@ namespace morph::bench {
 /// Points at random in the unit square.
 Points random_points(Index count);
 
-/// Unit square of about @p vertices vertices and twice as many triangles, numbered at random in its file,
-/// with the nodal fields "pressure" (1 component) and "velocity" (3).
+/// Unit square of about @p vertices vertices and twice as many triangles, numbered row by row, with the nodal
+/// fields "pressure" (1 component) and "velocity" (3): as a file holds it.
+MeshData source_data(Index vertices);
+
+/// The same as a mesh.
 Mesh source_mesh(Index vertices);
 
 /// Where the unknown points of a Cloud lie: between the known ones, or in a rim of a tenth around them.

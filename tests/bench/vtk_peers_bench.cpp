@@ -50,14 +50,14 @@ vtkNew<vtkPolyData> cloud_of(const Points& positions)
     return made;
 }
 
-/// The triangles of @p mesh with its nodal fields, in its own numbering.
-vtkNew<vtkUnstructuredGrid> grid_of(const Mesh& mesh)
+/// The triangles of a mesh with its nodal fields, numbered as in its file.
+vtkNew<vtkUnstructuredGrid> grid_of(const MeshData& mesh)
 {
     vtkNew<vtkCellArray> cells;
-    for (const Element& e : element_table(mesh))
+    for (const Element& e : mesh.elements)
         cells->InsertNextCell({e[0], e[1], e[2]});
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->SetPoints(points_of(points(mesh)));
+    grid->SetPoints(points_of(mesh.points));
     grid->SetCells(VTK_TRIANGLE, cells);
     for (const Field& field : mesh.fields)
         grid->GetPointData()->AddArray(array_of(field.values, field.name));
@@ -70,7 +70,7 @@ void BM_VtkProbeFilter(benchmark::State& state)
 {
     const auto size = static_cast<Index>(state.range(0));
     const bool cell_locator = state.range(1) != 0;
-    const Mesh source = source_mesh(size);
+    const MeshData source = source_data(size);
     const auto targets = cloud_of(random_points(size));
     double found = 0;
     for (auto _ : state) {
