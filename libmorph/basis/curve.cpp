@@ -1,27 +1,17 @@
 #include "libmorph/basis/curve.h"
 
+#include "libmorph/basis/knots.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace morph {
 
 namespace {
-
-// Relative to the range of the knots. Shorter spans would only magnify rounding; knots this close
-// are equal ones printed with too few digits.
-constexpr double kShortestSpan = 1e-9;
-
-std::string text(double value)
-{
-    std::array<char, 32> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.9g", value);
-    return digits.data();
-}
 
 void require_degree(int degree)
 {
@@ -53,7 +43,7 @@ void require_weights(const CurveDefinition& curve)
                          std::to_string(count) + " control points; expected one for each");
     for (std::size_t i = 0; i < count; ++i)
         if (!(curve.weights[i] > 0) || !std::isfinite(curve.weights[i]))
-            throw InputError("weight " + std::to_string(i + 1) + " is " + text(curve.weights[i]) +
+            throw InputError("weight " + std::to_string(i + 1) + " is " + number_text(curve.weights[i]) +
                              "; weights are positive numbers");
 }
 
@@ -71,61 +61,15 @@ void require_knot_count(const CurveDefinition& curve)
                        std::to_string(count) + " control points has " + std::to_string(expected)));
 }
 
-void require_increasing(const std::vector<double>& knots)
-{
-    for (std::size_t j = 0; j < knots.size(); ++j)
-        if (!std::isfinite(knots[j]))
-            throw InputError("knot " + std::to_string(j + 1) + " is not finite");
-    const double range = knots.back() - knots.front();
-    if (!(range > 0) || !std::isfinite(range))
-        throw InputError("the knots run from " + text(knots.front()) + " to " + text(knots.back()) +
-                         "; they must increase");
-    for (std::size_t j = 1; j < knots.size(); ++j) {
-        const double step = knots[j] - knots[j - 1];
-        if (step < 0)
-            throw InputError("knot " + std::to_string(j + 1) + " (" + text(knots[j]) +
-                             ") is less than the one before it (" + text(knots[j - 1]) + ")");
-        if (step > 0 && step < kShortestSpan * range)
-            throw InputError("knots " + std::to_string(j) + " and " + std::to_string(j + 1) +
-                             " nearly coincide at " + text(knots[j]) + "; make them equal or part them");
-    }
-}
-
 /// The ends of the knot vector are what the kind of curve asks for.
 void require_ends(const CurveDefinition& curve)
 {
     const std::vector<double>& knots = curve.knots;
-    const auto p = static_cast<std::size_t>(curve.degree);
     if (curve.closed && (knots.front() != 0 || knots.back() != 1))
         throw InputError("the knots of a closed curve run from 0 to 1 over one period, but these from " +
-                         text(knots.front()) + " to " + text(knots.back()));
-    if (!curve.closed && (knots[p] != knots.front() || knots[knots.size() - 1 - p] != knots.back()))
-        throw InputError("the knots of an open curve of degree " + std::to_string(p) +
-                         " repeat the first and the last value " + std::to_string(p + 1) + " times each");
-}
-
-/// @param knots  extended and over [0, 1]
-void require_multiplicity(const std::vector<double>& knots, int degree)
-{
-    const auto inside = [](double u) { return u >= 0 && u <= 1; };
-    for (std::size_t j = 0; j < knots.size();) {
-        const auto next = std::upper_bound(knots.begin(), knots.end(), knots[j]) - knots.begin();
-        const auto repeats = next - static_cast<std::ptrdiff_t>(j);
-        const bool clamped_end = repeats == degree + 1 && (j == 0 || next == std::ssize(knots));
-        if (inside(knots[j]) && repeats > degree && !clamped_end)
-            throw InputError("the knot " + text(knots[j]) + " is repeated " + std::to_string(repeats) +
-                             " times; a curve of degree " + std::to_string(degree) + " allows at most " +
-                             std::to_string(degree));
-        j = static_cast<std::size_t>(next);
-    }
-}
-
-void map_to_unit(std::vector<double>& knots)
-{
-    const double first = knots.front();
-    const double range = knots.back() - first;
-    for (double& knot : knots)
-        knot = (knot - first) / range;
+                         number_text(knots.front()) + " to " + number_text(knots.back()));
+    if (!curve.closed)
+        require_clamped(knots, curve.degree);
 }
 
 /// C^(k) from the derivatives A^(k) of (w x, w y, w) by the quotient rule

@@ -1,7 +1,9 @@
 #include "libmorph/core/names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
 #include <numeric>
 
 namespace morph {
@@ -58,6 +60,13 @@ std::string joined(const std::vector<std::string>& names)
     for (const std::string& name : names)
         text += (text.empty() ? "" : ", ") + name;
     return text;
+}
+
+std::string number_text(double value)
+{
+    std::array<char, 32> digits{};
+    std::snprintf(digits.data(), digits.size(), "%.9g", value);
+    return digits.data();
 }
 
 } // namespace morph

@@ -15,4 +15,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 /// The names separated by ", ".
 std::string joined(const std::vector<std::string>& names);
 
+/// A number for a message, with up to 9 digits.
+std::string number_text(double value);
+
 } // namespace morph
