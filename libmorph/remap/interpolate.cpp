@@ -10,6 +10,20 @@ namespace {
 
 constexpr std::size_t kGrain = 2048;
 
+constexpr std::size_t kAhead = 8; // targets: long enough for memory to answer
+
+/// Targets follow a curve in space, so that they lie anywhere in memory. Always inline, because GCC takes a
+/// function that only prefetches for one without effect and drops the call.
+[[gnu::always_inline]] inline void prefetch_target(Index target, const Locations& locations,
+                                                   const Eigen::Ref<const Points>& at,
+                                                   const std::vector<Matrix>& results)
+{
+    __builtin_prefetch(&locations.face[static_cast<std::size_t>(target)]);
+    __builtin_prefetch(at.row(target).data());
+    for (const Matrix& result : results)
+        __builtin_prefetch(result.row(target).data(), 1);
+}
+
 /// What interpolates in one element.
 struct Stencil {
     Element vertices;
@@ -59,6 +73,8 @@ std::vector<Matrix> interpolate(const Mesh& source, const Locations& locations,
         results.emplace_back(Matrix::Zero(at.rows(), field->values.cols()));
     parallel_for(locations.order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            if (i + kAhead < end)
+                prefetch_target(locations.order[i + kAhead], locations, at, results);
             const Index target = locations.order[i];
             const Index face = locations.face[static_cast<std::size_t>(target)];
             if (face < 0)

@@ -15,6 +15,7 @@ namespace morph {
 namespace {
 
 constexpr std::size_t kGrain = 2048; // targets that one walk after the other finds
+constexpr std::size_t kAhead = 8;    // targets: long enough for memory to answer
 constexpr Index kSamples = 512;      // faces among which the first walk of a block starts
 constexpr Index kShortestPatience = 64;
 constexpr Index kUnknown = -2; // a walk alone cannot tell
@@ -175,6 +176,8 @@ Locations Locator::locate(const Eigen::Ref<const Points>& targets) const
         const auto first = targets.row(found.order[begin]);
         Walker walker(source_, face_near(first.x(), first.y()));
         for (std::size_t i = begin; i < end; ++i) {
+            if (i + kAhead < end) // the targets themselves lie anywhere in memory
+                __builtin_prefetch(targets.row(found.order[i + kAhead]).data());
             const PlanePoint p{targets(found.order[i], 0), targets(found.order[i], 1)};
             if (!box_.contains(Eigen::Vector3d(p.x, p.y, 0)))
                 continue;
