@@ -2,17 +2,14 @@
 //   morph-deform examples/01_thesis_case1/case.toml -o deformed.vtu --json report.json
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
-#include "libmorph/deform/apply.h"
 #include "libmorph/deform/gradient.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/weights/weight_fields.h"
 #include "tools/case/generate_mesh.h"
 #include "tools/common/command_line.h"
 #include "tools/common/run.h"
-#include "tools/deform/case_weights.h"
 #include "tools/deform/deform_report.h"
 #include "tools/deform/gradient_file.h"
-#include "tools/deform/moved_case.h"
 
 namespace {
 
@@ -43,8 +40,8 @@ void add_options(CommandLine& line, Options& options)
     app.add_option("-o,--output", options.output, "The moved mesh (wins over [output] mesh)")
         ->type_name("OUT");
     app.add_option("--method", options.method,
-                   "How control points move the mesh: harmonic (wins over [deform])")
-        ->check(CLI::IsMember({"harmonic"}));
+                   "How control points move the mesh: harmonic or ffd (wins over [deform])")
+        ->check(CLI::IsMember({"harmonic", "ffd"}));
     app.add_option("--diffusivity", options.diffusivity,
                    "uniform, inverse-distance or inverse-area (wins over [deform])")
         ->check(CLI::IsMember({"uniform", "inverse-distance", "inverse-area"}));
@@ -143,16 +140,16 @@ void warn_of_invalid_mesh(const DeformResult& result)
 }
 
 /// Moves the mesh and looks at every element before and after.
-void move_and_check(Mesh& mesh, const Weights& weights, const PlacedCase& placed, DeformResult& result)
+void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, DeformResult& result)
 {
     Stopwatch watch;
     const Points before = points(mesh);
-    apply_weights(weights, placed.displacements, points(mesh));
+    apply_motion(file, motion, points(mesh));
     result.seconds.apply = watch.lap();
-    for (std::size_t b = 0; b < placed.boundaries.size(); ++b)
-        result.fits.push_back(boundary_fit(placed, b, before, points(mesh)));
+    for (std::size_t b = 0; b < motion.curves.boundaries.size(); ++b)
+        result.fits.push_back(boundary_fit(motion.curves, b, before, points(mesh)));
     if (result.guard == "check") {
-        result.crossings = boundary_crossings(placed);
+        result.crossings = boundary_crossings(motion.curves);
         result.before = quality_report(mesh, before);
         result.after = quality_report(mesh);
     }
@@ -160,23 +157,24 @@ void move_and_check(Mesh& mesh, const Weights& weights, const PlacedCase& placed
 }
 
 /// --gradient: derivatives by the vertices in, by the control points out; nothing moves.
-void stage_gradient(const Options& options, const Mesh& mesh, const Weights& weights, OutputFiles& outputs)
+void stage_gradient(const Options& options, const Mesh& mesh, const CaseMotion& motion, OutputFiles& outputs)
 {
     const Matrix by_vertex = read_vertex_gradient(options.gradient, mesh);
-    write_control_point_gradient(outputs.open(options.output), weights.columns,
-                                 control_point_gradient(weights, by_vertex), {0, 0, 0});
+    const std::array<Index, 3> lattice_points =
+        motion.lattice ? motion.lattice->lattice.definition().points : std::array<Index, 3>{};
+    write_control_point_gradient(outputs.open(options.output), motion.columns(),
+                                 control_point_gradient(motion.rows(), by_vertex), lattice_points);
 }
 
-/// Let the pulled points have their say about the displacements.
-void pull_points_of(const Mesh& mesh, const CaseFile& file, const Weights& weights, PlacedCase& placed,
-                    DeformResult& result)
+CaseMotion prepared_motion(const Mesh& mesh, const CaseFile& file, const Options& options)
 {
-    if (file.pulls.empty())
-        return;
-    Matrix displacements = placed.displacements;
-    result.pull = pull(mesh, file, weights, displacements);
-    placed.displacements = displacements;
-    require_ends_together(mesh, placed.boundaries, placed.conditions, placed.displacements);
+    CaseMotion motion = prepare_motion(mesh, file, options.weights);
+    for (const std::string& warning : placement_warnings(motion.curves))
+        warn(kTool, warning);
+    if (motion.lattice)
+        for (const std::string& warning : motion.lattice->warnings)
+            warn(kTool, warning);
+    return motion;
 }
 
 int deform(int argc, char** argv)
@@ -185,7 +183,8 @@ int deform(int argc, char** argv)
     CommandLine line(
         kTool,
         "Moves a mesh with the geometry inside it: the nodes of each boundary follow the control\n"
-        "points of its curve exactly, the nodes inside follow by harmonic weights.",
+        "points of its curve exactly, the nodes inside follow by harmonic weights. Or a lattice of\n"
+        "free-form deformation moves the boundary, or all of the mesh.",
         "  morph-fit naca0012.su2 --marker airfoil -o case.toml   (then edit displacements)\n"
         "  morph-deform case.toml -o deformed.su2 --json report.json");
     add_options(line, options);
@@ -198,27 +197,23 @@ int deform(int argc, char** argv)
     DeformResult result = result_for(file);
     Mesh mesh = load_mesh(file, options.from);
     result.seconds.read = watch.lap();
-    PlacedCase placed = place_case(mesh, file);
-    for (const std::string& warning : placement_warnings(placed))
-        warn(kTool, warning);
-    const Weights weights = options.weights.empty() ? solve_weights(mesh, placed, file)
-                                                    : load_weights(options.weights, mesh, placed);
-    result.weights = check_weights(weights, placed);
+    CaseMotion motion = prepared_motion(mesh, file, options);
+    result.weights = check_weights(motion);
     result.seconds.weights = watch.lap();
     OutputFiles outputs;
     if (!options.save_weights.empty())
-        stage_weights(mesh, weights, options.save_weights, outputs);
+        stage_weights(mesh, dense_weights(motion), options.save_weights, outputs);
     result.seconds.write = watch.lap();
     if (!options.gradient.empty()) {
-        stage_gradient(options, mesh, weights, outputs);
+        stage_gradient(options, mesh, motion, outputs);
     } else {
-        pull_points_of(mesh, file, weights, placed, result);
-        move_and_check(mesh, weights, placed, result);
+        result.control = control_motion(mesh, file, motion);
+        move_and_check(mesh, file, motion, result);
         watch.lap();
         stage_mesh(to_data(mesh), file.output_mesh, options.to, outputs);
     }
     result.seconds.write += watch.lap();
-    describe(result, placed, report);
+    describe(result, motion, report);
     report.finish(outputs);
     warn_of_invalid_mesh(result);
     return is_valid(result) ? kDone : kInverted;

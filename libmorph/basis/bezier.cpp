@@ -6,24 +6,14 @@ namespace morph {
 
 namespace {
 
-/// The polar form of the piece on @p span with @p lasts arguments `end` and the others `begin`.
-Eigen::Vector3d polar_form(const Curve& curve, int span, double begin, double end, int lasts)
+Eigen::Vector3d coefficient(const Curve& curve, int span, const BezierPiece& piece, int lasts)
 {
-    const int p = curve.degree();
-    const auto knot = [&](int i) { return curve.knots()[static_cast<std::size_t>(i)]; };
-    std::array<Eigen::Vector3d, kMaxDegree + 1> d;
-    for (int k = 0; k <= p; ++k)
-        d[static_cast<std::size_t>(k)] = curve.homogeneous(span - p + k);
-    for (int level = 1; level <= p; ++level) {
-        const double u = level <= lasts ? end : begin;
-        for (int k = p; k >= level; --k) {
-            const double low = knot(span - p + k);
-            const double share = (u - low) / (knot(span + k + 1 - level) - low);
-            const auto at = static_cast<std::size_t>(k);
-            d[at] = (1 - share) * d[at - 1] + share * d[at];
-        }
-    }
-    return d[static_cast<std::size_t>(p)];
+    std::array<Eigen::Vector3d, kMaxDegree + 1> local;
+    const auto count = static_cast<std::size_t>(curve.degree()) + 1;
+    for (std::size_t k = 0; k < count; ++k)
+        local[k] = curve.homogeneous(span - curve.degree() + static_cast<int>(k));
+    return bernstein_coefficient(curve.knots(), span, piece.begin, piece.end, lasts,
+                                 std::span(local).first(count));
 }
 
 } // namespace
@@ -36,7 +26,7 @@ std::vector<BezierPiece> bezier_pieces(const Curve& curve)
         BezierPiece piece{breaks[k], breaks[k + 1], {}};
         const int span = find_span(curve.knots(), curve.degree(), piece.begin);
         for (int lasts = 0; lasts <= curve.degree(); ++lasts)
-            piece.control.push_back(polar_form(curve, span, piece.begin, piece.end, lasts));
+            piece.control.push_back(coefficient(curve, span, piece, lasts));
         pieces.push_back(std::move(piece));
     }
     return pieces;

@@ -60,7 +60,8 @@ void move_rows(const Matrix& W, const Matrix& D, Eigen::Map<Points>& X, std::siz
         move_some<components, 1>(W, D, X, i);
 }
 
-void require_fit(const Matrix& W, const Matrix& D, Eigen::Index points)
+template <typename Weight>
+void require_fit(const Weight& W, const Matrix& D, Eigen::Index points)
 {
     if (W.rows() != points)
         throw InputError("the weights are for " + std::to_string(W.rows()) + " vertices, but there are " +
@@ -81,6 +82,22 @@ void apply_weights(const Weights& weights, const Matrix& displacements, Eigen::M
                  [&](std::size_t begin, std::size_t end) {
                      move(weights.values, displacements, positions, begin, end);
                  });
+}
+
+void apply_weights(const SparseWeights& weights, const Matrix& displacements, Eigen::Map<Points> positions)
+{
+    require_fit(weights.values, displacements, positions.rows());
+    parallel_for(
+        static_cast<std::size_t>(positions.rows()), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto row = static_cast<Eigen::Index>(i);
+                Eigen::RowVector3d move = Eigen::RowVector3d::Zero();
+                using Row = Eigen::SparseMatrix<double, Eigen::RowMajor, Index>::InnerIterator;
+                for (Row weight(weights.values, row); weight; ++weight)
+                    move.head(displacements.cols()) += weight.value() * displacements.row(weight.col());
+                positions.row(row) += move;
+            }
+        });
 }
 
 } // namespace morph

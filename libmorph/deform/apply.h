@@ -14,4 +14,7 @@ namespace morph {
 /// @throws InputError    the sizes do not fit
 void apply_weights(const Weights& weights, const Matrix& displacements, Eigen::Map<Points> positions);
 
+/// The same for weights of which only those that are not zero are stored.
+void apply_weights(const SparseWeights& weights, const Matrix& displacements, Eigen::Map<Points> positions);
+
 } // namespace morph

@@ -112,10 +112,11 @@ void read_boundaries(const TomlTable& root, CaseFile& file)
                                            std::to_string(other.line));
         file.boundaries.push_back(std::move(entry));
     }
-    if (file.boundaries.empty())
+    if (file.boundaries.empty() && !file.lattice)
         root.fail(
             1,
-            "the case has no [[boundary]], so there is nothing to move; morph-fit makes one from a marker");
+            "the case has no [[boundary]] and no [lattice], so there is nothing to move; morph-fit makes a "
+            "boundary from a marker");
 }
 
 void read_deform_section(const TomlTable& root, CaseFile& file)
@@ -124,7 +125,7 @@ void read_deform_section(const TomlTable& root, CaseFile& file)
     if (!table)
         return;
     table->require_known({"method", "diffusivity", "guard", "fixed"});
-    file.method = table->choice("method", {"harmonic"}).value_or(file.method);
+    file.method = table->choice("method", {"harmonic", "ffd"}).value_or(file.method);
     file.diffusivity = table->choice("diffusivity", {"uniform", "inverse-distance", "inverse-area"})
                            .value_or(file.diffusivity);
     file.guard = table->choice("guard", {"none", "check"}).value_or(file.guard);
@@ -163,13 +164,17 @@ CaseFile parse_case_file(std::string_view bytes, const std::string& path)
 {
     const toml::table document = parse(bytes, path);
     const TomlTable root(document, path, "the case file");
-    root.require_known({"mesh", "boundary", "pull", "deform", "output"});
+    root.require_known({"mesh", "boundary", "lattice", "pull", "deform", "output"});
     CaseFile file;
     file.path = path;
     read_mesh_section(root, file);
+    if (const auto table = root.table("lattice", "[lattice]"))
+        file.lattice = lattice_entry(*table);
     file.pulls = pull_entries(root);
     read_boundaries(root, file);
     read_deform_section(root, file);
+    if (file.method == "ffd" && !file.lattice)
+        root.fail(1, "method = \"ffd\" needs a [lattice]");
     read_output_section(root, file);
     return file;
 }

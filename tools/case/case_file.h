@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/curve.h"
+#include "tools/case/lattice_entry.h"
 #include "tools/case/pull_entry.h"
 
 #include <array>
@@ -32,6 +33,7 @@ struct CaseFile {
     std::string mesh_file; ///< empty with generate
     std::optional<GenerateEntry> generate;
     std::vector<BoundaryEntry> boundaries;
+    std::optional<LatticeEntry> lattice;
     std::vector<PullEntry> pulls;
     std::string method = "harmonic";
     std::string diffusivity = "uniform";

@@ -1,42 +1,10 @@
 #include "tools/case/pull_entry.h"
 
+#include "tools/case/entry_numbers.h"
+
 namespace morph::tools {
 
 namespace {
-
-const std::vector<std::string> kPlane{"x", "y"};
-const std::vector<std::string> kSpace{"x", "y", "z"};
-const std::vector<std::string> kPlaneMove{"dx", "dy"};
-const std::vector<std::string> kSpaceMove{"dx", "dy", "dz"};
-
-/// Whole numbers, lowered by @p base.
-std::vector<Index> whole_numbers(const TomlTable& table, const std::string& key, Index base)
-{
-    constexpr double kMost = 2147483647;
-    std::vector<Index> numbers;
-    for (const double value : table.numbers(key).value_or(std::vector<double>())) {
-        if (!(value >= base && value <= kMost && value == static_cast<double>(static_cast<Index>(value))))
-            table.fail(table.line(key), key + " must be whole numbers from " + std::to_string(base) + " on");
-        numbers.push_back(static_cast<Index>(value) - base);
-    }
-    return numbers;
-}
-
-Matrix in_space(const Matrix& rows)
-{
-    Matrix full = Matrix::Zero(rows.rows(), 3);
-    full.leftCols(rows.cols()) = rows;
-    return full;
-}
-
-/// Rows of two or three numbers, whichever the first row has.
-Matrix points_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& plane,
-                 const std::vector<std::string>& space)
-{
-    if (!table.has(key))
-        return Matrix::Zero(0, 3);
-    return in_space(*table.rows(key, table.row_width(key) == 3 ? space : plane));
-}
 
 PullEntry pull_entry(const TomlTable& table)
 {
@@ -46,10 +14,10 @@ PullEntry pull_entry(const TomlTable& table)
     PullEntry entry;
     entry.line = table.line();
     entry.vertices = whole_numbers(table, "vertices", 0);
-    entry.points = points_of(table, "points", kPlane, kSpace);
+    entry.points = points_of(table, "points", {"x", "y", "z"});
     if (!table.has("displacements"))
         table.fail_missing("displacements", "displacements = [[0.0, 0.02]]");
-    entry.displacements = points_of(table, "displacements", kPlaneMove, kSpaceMove);
+    entry.displacements = points_of(table, "displacements", {"dx", "dy", "dz"});
     const auto wanted = entry.points.rows() + static_cast<Eigen::Index>(entry.vertices.size());
     if (entry.displacements.rows() != wanted)
         table.fail(table.line("displacements"),

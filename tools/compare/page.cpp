@@ -20,7 +20,8 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums}\n"
     "th,td{padding:.3rem .7rem;text-align:right;border-bottom:1px solid #d8dee6}\n"
     "th:first-child,td:first-child{text-align:left}tr.bad td{background:#fdecea}\n"
-    "div.pair{display:flex;flex-wrap:wrap;gap:12px;align-items:flex-start}img{border:1px solid #d8dee6;max-width:100%}\n"
+    "div.pair{display:flex;flex-wrap:wrap;gap:12px;align-items:flex-start}img{border:1px solid "
+    "#d8dee6;max-width:100%}\n"
     "p.note{color:#5a6675}dt{font-weight:600}dd{margin:0 0 .4rem 1.2rem}\n";
 
 std::string escaped(const std::string& text)

@@ -30,7 +30,8 @@ std::vector<Index> named_vertices(const Mesh& mesh, const std::vector<Index>& fi
     return vertices;
 }
 
-PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, Matrix& displacements)
+PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, const std::vector<Index>& held,
+                 Matrix& displacements)
 {
     std::vector<Index> pulled_vertices;
     Matrix wanted(0, displacements.cols());
@@ -42,7 +43,7 @@ PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, Mat
         wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(displacements.cols());
     }
     const Pulled pulled =
-        pull_points(carried_vertices(weights, points(mesh), pulled_vertices), wanted, displacements);
+        pull_points(carried_vertices(weights, points(mesh), pulled_vertices), wanted, displacements, held);
     displacements = pulled.displacements;
     PullOutcome outcome;
     for (const Index v : pulled_vertices)

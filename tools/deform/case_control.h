@@ -20,9 +20,11 @@ struct PullOutcome {
 /// change.
 ///
 /// @param weights        of the case's control points, n x K
+/// @param held           control points that keep their displacement
 /// @param displacements  K x 2 or K x 3, changed in place
 /// @throws InputError  "case.toml:12: …": a vertex that the mesh does not have
-PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, Matrix& displacements);
+PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, const std::vector<Index>& held,
+                 Matrix& displacements);
 
 /// The vertices that numbers in the file, or the nearest places, name.
 /// @param place  "case.toml:12: [[pull]]", for messages

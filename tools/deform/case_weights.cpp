@@ -6,7 +6,6 @@
 #include "libmorph/weights/weight_fields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace morph::tools {
@@ -77,24 +76,6 @@ Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase
         weights.values.row(v) = saved.values.row(mesh.numbering.vertex[static_cast<std::size_t>(v)]);
     set_boundary_rows(placed.conditions.held, weights.values);
     return weights;
-}
-
-WeightsCheck check_weights(const Weights& weights, const PlacedCase& placed)
-{
-    WeightsCheck check;
-    if (weights.values.size() > 0) {
-        check.min = weights.values.minCoeff();
-        check.max = weights.values.maxCoeff();
-    }
-    std::vector<bool> fixed(static_cast<std::size_t>(weights.values.rows()));
-    for (const SharedVertex& shared : placed.conditions.shared)
-        fixed[static_cast<std::size_t>(shared.vertex)] = !shared.fixed_by.empty();
-    for (const CurveBoundary& boundary : placed.boundaries)
-        for (const Index v : boundary.vertices)
-            if (!fixed[static_cast<std::size_t>(v)])
-                check.partition_error =
-                    std::max(check.partition_error, std::abs(weights.values.row(v).sum() - 1));
-    return check;
 }
 
 } // namespace morph::tools

@@ -17,12 +17,4 @@ Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile
 /// @throws InputError  the file's vertices are not those of the mesh, or a field is missing
 Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed);
 
-/// Range of the weights, and how far the rows of the curves' own nodes are from summing to one.
-struct WeightsCheck {
-    double min = 0;
-    double max = 0;
-    double partition_error = 0;
-};
-WeightsCheck check_weights(const Weights& weights, const PlacedCase& placed);
-
 } // namespace morph::tools

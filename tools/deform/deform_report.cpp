@@ -32,10 +32,11 @@ std::string boundary_line(const CurveBoundary& boundary, const BoundaryFit& fit)
            short_number(fit.landing_error);
 }
 
-std::string weights_line(const DeformResult& result, const PlacedCase& placed)
+std::string weights_line(const DeformResult& result, std::size_t control_points)
 {
-    return "weights: " + result.method + " (" + result.diffusivity + "), " +
-           std::to_string(placed.conditions.columns.size()) + " control points, from " +
+    const std::string method =
+        result.method == "harmonic" ? result.method + " (" + result.diffusivity + ")" : result.method;
+    return "weights: " + method + ", " + std::to_string(control_points) + " control points, from " +
            short_number(result.weights.min) + " to " + short_number(result.weights.max) + ", " +
            short_number(result.seconds.weights) + " s";
 }
@@ -67,6 +68,31 @@ void describe_pull(const PullOutcome& pull, Report& report)
                short_number(farthest));
 }
 
+void describe_lattice(const PlacedLattice& placed, Report& report)
+{
+    const LatticeDefinition& shape = placed.lattice.definition();
+    const auto vertices = placed.embedding.inside.size();
+    const auto inside = static_cast<std::size_t>(placed.embedding.inside_count);
+    report.json["lattice"] = {{"basis", shape.basis == LatticeBasis::bernstein ? "bernstein" : "bspline"},
+                              {"degree", shape.degree},
+                              {"points", shape.points},
+                              {"held", placed.held.size()},
+                              {"inside", inside},
+                              {"outside", vertices - inside}};
+    report.say("lattice: " + std::to_string(inside) + " of " + std::to_string(vertices) +
+               " vertices lie in it");
+}
+
+void describe_control(const ControlOutcome& control, Report& report)
+{
+    if (control.curve_misfit) {
+        report.json["curve_misfit"] = *control.curve_misfit;
+        report.say("the lattice makes the moved curves to within " + short_number(*control.curve_misfit));
+    }
+    if (control.pull)
+        describe_pull(*control.pull, report);
+}
+
 void describe_quality(const DeformResult& result, Report& report)
 {
     if (!result.before || !result.after)
@@ -88,14 +114,15 @@ bool is_valid(const DeformResult& result)
     return result.crossings.empty() && !(result.after && result.after->inverted > 0);
 }
 
-void describe(const DeformResult& result, const PlacedCase& placed, Report& report)
+void describe(const DeformResult& result, const CaseMotion& motion, Report& report)
 {
+    const PlacedCase& placed = motion.curves;
     ordered_json& json = report.json;
     json["method"] = result.method;
     json["diffusivity"] = result.diffusivity;
     json["guard"] = result.guard;
     json["output"] = result.output;
-    json["control_points"] = placed.conditions.columns.size();
+    json["control_points"] = motion.columns().size();
     json["boundaries"] = ordered_json::array();
     for (std::size_t b = 0; b < result.fits.size(); ++b) { // none when only a gradient was asked for
         json["boundaries"].push_back(boundary_json(placed.boundaries[b], result.fits[b]));
@@ -104,9 +131,10 @@ void describe(const DeformResult& result, const PlacedCase& placed, Report& repo
     json["weights"] = {{"min", result.weights.min},
                        {"max", result.weights.max},
                        {"partition_error", result.weights.partition_error}};
-    report.say(weights_line(result, placed));
-    if (result.pull)
-        describe_pull(*result.pull, report);
+    report.say(weights_line(result, motion.columns().size()));
+    if (motion.lattice)
+        describe_lattice(*motion.lattice, report);
+    describe_control(result.control, report);
     json["boundary_crossings"] = result.crossings;
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);

@@ -2,9 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 #include "tools/common/report.h"
-#include "tools/deform/case_control.h"
-#include "tools/deform/case_weights.h"
-#include "tools/deform/moved_case.h"
+#include "tools/deform/case_motion.h"
 
 #include <optional>
 #include <string>
@@ -28,8 +26,8 @@ struct DeformResult {
     std::string guard;
     std::string output;
     WeightsCheck weights;
-    std::vector<BoundaryFit> fits;       ///< one per boundary
-    std::optional<PullOutcome> pull;     ///< with [[pull]]
+    std::vector<BoundaryFit> fits; ///< one per boundary
+    ControlOutcome control;
     std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
     std::optional<QualityReport> before; ///< without guard = "none"
     std::optional<QualityReport> after;
@@ -40,6 +38,6 @@ struct DeformResult {
 bool is_valid(const DeformResult& result);
 
 /// Put the result into the report, as JSON and as a summary.
-void describe(const DeformResult& result, const PlacedCase& placed, Report& report);
+void describe(const DeformResult& result, const CaseMotion& motion, Report& report);
 
 } // namespace morph::tools

@@ -12,7 +12,7 @@ namespace morph::tools {
 struct PlacedCase {
     std::vector<CurveBoundary> boundaries;
     BoundaryConditions conditions;
-    Points2 displacements; ///< K x 2, rows as conditions.columns
+    Matrix displacements; ///< K x 2 (of a lattice on a surface K x 3), rows as conditions.columns
 };
 
 /// How a boundary sits on its curve, and how it arrived on the moved one. Lengths in the unit of the mesh.

@@ -1,0 +1,196 @@
+#include "tools/deform/case_motion.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/deform/apply.h"
+#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/move_lattice.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace morph::tools {
+
+namespace {
+
+CaseMotion motion_of_lattice(const Mesh& mesh, const CaseFile& file)
+{
+    CaseMotion motion;
+    motion.lattice = place_lattice(mesh, file);
+    motion.displacements = motion.lattice->displacements;
+    if (!file.boundaries.empty())
+        motion.curves = place_case(mesh, file);
+    motion.weights = motion.lattice->weights;
+    return motion;
+}
+
+/// Displacements of the curves' nodes as their control points want them.
+Matrix wanted_displacements(const PlacedCase& curves, std::vector<Index>& vertices)
+{
+    std::vector<Eigen::RowVector2d> wanted;
+    for (std::size_t b = 0; b < curves.boundaries.size(); ++b) {
+        const CurveBoundary& boundary = curves.boundaries[b];
+        const Curve moved = moved_curve(curves, b);
+        for (std::size_t i = 0; i < boundary.vertices.size(); ++i) {
+            const double u = boundary.parameters[i].u;
+            vertices.push_back(boundary.vertices[i]);
+            wanted.emplace_back((moved.point(u) - boundary.curve.point(u)).transpose());
+        }
+    }
+    Matrix rows(static_cast<Index>(wanted.size()), 2);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        rows.row(static_cast<Index>(i)) = wanted[i];
+    return rows;
+}
+
+/// Bring the nodes of the curves near to where they are wanted by a lattice.
+///
+/// Least squares alone would take any swing of control points far from the nodes for the last bit of
+/// exactness, and tear the mesh around with it. A change of the control points therefore counts too,
+/// kSmallest of what the control point that moves the nodes most does [Tikhonov & Arsenin 1977, Solutions of
+/// Ill-Posed Problems].
+double fit_lattice(const Mesh& mesh, CaseMotion& motion)
+{
+    constexpr double kSmallest = 1e-3;
+    std::vector<Index> vertices;
+    const Matrix wanted = wanted_displacements(motion.curves, vertices);
+    const CarriedPoints nodes = carried_vertices(motion.rows(), points(mesh), vertices);
+    Eigen::MatrixXd R(nodes.weights);
+    for (const Index held : motion.held())
+        R.col(held).setZero();
+    const Eigen::MatrixXd start = wanted - R * motion.displacements;
+    const double damping = kSmallest * R.colwise().norm().maxCoeff();
+    Eigen::MatrixXd normal = R.transpose() * R;
+    normal.diagonal().array() += damping * damping;
+    motion.displacements += normal.ldlt().solve(R.transpose() * start);
+    return (wanted - R * motion.displacements).rowwise().norm().maxCoeff();
+}
+
+bool reweighs(const CaseFile& file)
+{
+    return file.lattice && !file.lattice->moved_weights.empty();
+}
+
+/// With other weights of the control points the map is not linear in them.
+void move_reweighed(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
+{
+    const Lattice& before = motion.lattice->lattice;
+    Points control_points = before.definition().control_points;
+    control_points.leftCols(motion.displacements.cols()) += motion.displacements;
+    const Lattice after =
+        before.with_weights(file.lattice->moved_weights).with_control_points(control_points);
+    move_by_lattice(before, after, motion.lattice->embedding, positions);
+}
+
+/// The vertices whose weights should sum to one.
+std::vector<Index> whole_rows(const CaseMotion& motion)
+{
+    std::vector<Index> rows;
+    if (motion.lattice) {
+        if (std::holds_alternative<SparseWeights>(motion.weights))
+            for (std::size_t v = 0; v < motion.lattice->embedding.inside.size(); ++v)
+                if (motion.lattice->embedding.inside[v] != 0)
+                    rows.push_back(static_cast<Index>(v));
+        return rows;
+    }
+    std::vector<Index> fixed;
+    for (const SharedVertex& shared : motion.curves.conditions.shared)
+        if (!shared.fixed_by.empty())
+            fixed.push_back(shared.vertex);
+    for (const CurveBoundary& boundary : motion.curves.boundaries)
+        for (const Index v : boundary.vertices)
+            if (std::find(fixed.begin(), fixed.end(), v) == fixed.end())
+                rows.push_back(v);
+    return rows;
+}
+
+} // namespace
+
+const std::vector<ControlPoint>& CaseMotion::columns() const
+{
+    return std::visit([](const auto& filled) -> const std::vector<ControlPoint>& { return filled.columns; },
+                      weights);
+}
+
+WeightRows CaseMotion::rows() const
+{
+    return std::visit([](const auto& filled) { return WeightRows(filled); }, weights);
+}
+
+std::vector<Index> CaseMotion::held() const
+{
+    return lattice ? lattice->held : std::vector<Index>();
+}
+
+CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file)
+{
+    if (file.method == "ffd")
+        return motion_of_lattice(mesh, file);
+    CaseMotion motion;
+    if (file.boundaries.empty()) {
+        motion.lattice = place_lattice(mesh, file);
+        motion.curves = lattice_boundary(mesh, file, *motion.lattice);
+    } else {
+        motion.curves = place_case(mesh, file);
+    }
+    motion.displacements = motion.curves.displacements;
+    motion.weights = weights_file.empty() ? solve_weights(mesh, motion.curves, file)
+                                          : load_weights(weights_file, mesh, motion.curves);
+    return motion;
+}
+
+ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion)
+{
+    ControlOutcome outcome;
+    if (reweighs(file) && (file.method != "ffd" || !file.pulls.empty()))
+        throw InputError(file.path + ":" + std::to_string(file.lattice->line) +
+                         ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls: the "
+                         "move is not linear in them");
+    if (file.method == "ffd" && !motion.curves.boundaries.empty())
+        outcome.curve_misfit = fit_lattice(mesh, motion);
+    if (!file.pulls.empty())
+        outcome.pull = pull(mesh, file, motion.rows(), motion.held(), motion.displacements);
+    if (file.method == "ffd")
+        return outcome;
+    motion.curves.displacements = motion.displacements;
+    if (!motion.curves.boundaries.empty())
+        require_ends_together(mesh, motion.curves.boundaries, motion.curves.conditions,
+                              motion.curves.displacements);
+    return outcome;
+}
+
+void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
+{
+    if (reweighs(file))
+        return move_reweighed(file, motion, positions);
+    std::visit([&](const auto& filled) { apply_weights(filled, motion.displacements, positions); },
+               motion.weights);
+}
+
+WeightsCheck check_weights(const CaseMotion& motion)
+{
+    const WeightRows rows = motion.rows();
+    WeightsCheck check;
+    std::vector<double> sums(static_cast<std::size_t>(rows.rows()));
+    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+        rows.for_each(row, [&](Eigen::Index, double value) {
+            check.min = std::min(check.min, value);
+            check.max = std::max(check.max, value);
+            sums[static_cast<std::size_t>(row)] += value;
+        });
+    for (const Index v : whole_rows(motion))
+        check.partition_error =
+            std::max(check.partition_error, std::abs(sums[static_cast<std::size_t>(v)] - 1));
+    return check;
+}
+
+Weights dense_weights(const CaseMotion& motion)
+{
+    if (const Weights* dense = std::get_if<Weights>(&motion.weights))
+        return *dense;
+    const auto& sparse = std::get<SparseWeights>(motion.weights);
+    return {sparse.columns, Matrix(sparse.values)};
+}
+
+} // namespace morph::tools

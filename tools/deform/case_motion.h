@@ -1,0 +1,63 @@
+#pragma once
+
+#include "libmorph/weights/weight_rows.h"
+#include "tools/deform/case_control.h"
+#include "tools/deform/case_weights.h"
+#include "tools/deform/moved_case.h"
+#include "tools/deform/placed_lattice.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace morph::tools {
+
+/// A case brought onto its mesh: its control points, whichever they are, and how the mesh follows them.
+struct CaseMotion {
+    PlacedCase curves; ///< boundaries on their curves; none when a lattice moves the boundary
+    std::optional<PlacedLattice> lattice; ///< with [lattice]
+    std::variant<Weights, SparseWeights> weights;
+    Matrix displacements; ///< K x 2 or K x 3, rows as the columns of the weights
+
+    const std::vector<ControlPoint>& columns() const;
+    WeightRows rows() const;
+    /// Control points that must keep their displacement.
+    std::vector<Index> held() const;
+};
+
+/// Bring a case onto its mesh and fill its weights.
+///
+/// Method "ffd": the lattice moves every vertex in it. Any other method: the curves move their markers, or,
+/// without curves, the lattice moves its markers, and the method carries the rest.
+/// @param weights_file  read the weights from it; empty: fill them
+/// @throws InputError, SolverError
+CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file = "");
+
+/// What pulls and the fit of a lattice to moved curves did to the displacements.
+struct ControlOutcome {
+    std::optional<PullOutcome> pull;
+    std::optional<double>
+        curve_misfit; ///< largest distance of a boundary node to its moved curve, length unit of the mesh
+};
+
+/// Let the curves that a lattice is fitted to, and [[pull]], have their say about the displacements.
+ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion);
+
+/// Move the vertices.
+/// @param positions  n x 3, moved in place
+void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions);
+
+/// Range of the weights, and how far rows that should sum to one do not: those of the curves' own nodes, and
+/// of the vertices that a lattice moves.
+struct WeightsCheck {
+    double min = 0;
+    double max = 0;
+    double partition_error = 0;
+};
+WeightsCheck check_weights(const CaseMotion& motion);
+
+/// The weights as a matrix that stores all of them, for files and for whoever needs their range.
+Weights dense_weights(const CaseMotion& motion);
+
+} // namespace morph::tools
