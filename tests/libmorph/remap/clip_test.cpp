@@ -46,6 +46,7 @@ std::vector<PlanePoint> random_corners(std::mt19937& random)
         if (hull.size() != wanted)
             continue;
         std::vector<PlanePoint> corners;
+        corners.reserve(wanted);
         for (const auto& p : hull)
             corners.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y())});
         return corners;

@@ -84,11 +84,12 @@ TEST(ConserveNodes, PreservesTheIntegralOverTheCommonRegionOnRandomMeshes)
         const Mesh target = build_mesh(test::random_mesh(test::some_settings(other)));
         const Matrix values = random_values(source, 2, seed);
         const test::DenseProjection dense = test::dense_projection(source, target);
-        const Matrix result = carried(source, target, values).values;
+        const Transfer transfer = carried(source, target, values);
         const Eigen::RowVectorXd of_source = dense.B.colwise().sum() * values;
-        const Eigen::RowVectorXd of_target = dense.M.colwise().sum() * result;
+        const Eigen::RowVectorXd of_target = dense.M.colwise().sum() * transfer.values;
         const double magnitude = (dense.B.colwise().sum() * values.cwiseAbs()).norm();
         EXPECT_LE((of_source - of_target).norm(), kConserved * magnitude) << "seed " << seed;
+        EXPECT_LE((of_source - transfer.source_integral).norm(), kConserved * magnitude) << "seed " << seed;
     }
 }
 

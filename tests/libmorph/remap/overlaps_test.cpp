@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -125,15 +126,35 @@ TEST(Overlaps, FindWhatLiesBeyondAHoleAndInSeparateParts)
     MeshData source;
     source.points = Points::Zero(16, 3);
     for (Index part = 0; part < 4; ++part) {
-        const double x = part % 2 * 0.5, y = part / 2 * 0.75;
-        source.points.middleRows(4 * part, 4) << x, y, 0, x + 0.25, y, 0, x + 0.25, y + 0.625, 0, x,
-            y + 0.625, 0;
-        source.elements.push_back({4 * part, 4 * part + 1, 4 * part + 2, 4 * part + 3});
+        const double x = part % 2 == 0 ? 0 : 0.5, y = part < 2 ? 0 : 0.75;
+        const Index first = 4 * part;
+        source.points.middleRows(first, 4) << x, y, 0, x + 0.25, y, 0, x + 0.25, y + 0.625, 0, x, y + 0.625,
+            0;
+        source.elements.push_back({first, first + 1, first + 2, first + 3});
     }
     const MeshData target = one_quad({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
     const Areas found = found_overlaps(source, target, Cut::where_dented);
     const Areas expected{{{0, 0}, 0.15625}, {{0, 1}, 0.15625}, {{0, 2}, 0.0625}, {{0, 3}, 0.0625}};
     EXPECT_EQ(found, expected);
+}
+
+TEST(Overlaps, LeaveOutElementsThatOnlyTouch)
+{
+    // Turned, the common line of the two squares is rounded differently at the vertices of each.
+    const auto turned = [](MeshData mesh, double shift, double angle) {
+        const Points old = mesh.points;
+        mesh.points.col(0) =
+            std::cos(angle) * (old.col(0).array() + shift) - std::sin(angle) * old.col(1).array();
+        mesh.points.col(1) =
+            std::sin(angle) * (old.col(0).array() + shift) + std::cos(angle) * old.col(1).array();
+        return mesh;
+    };
+    for (const double angle : {0.1, 0.4, 1.0, 2.0, 3.0})
+        for (const Cut cut : {Cut::where_dented, Cut::triangles})
+            EXPECT_TRUE(found_overlaps(turned(test::uneven_square(17), 0, angle),
+                                       turned(test::quad_square(12), 1, angle), cut)
+                            .empty())
+                << "angle " << angle;
 }
 
 TEST(Overlaps, CutDentedElementsOfEitherMesh)
