@@ -4,12 +4,14 @@
 #include "libmorph/core/error.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace morph {
 
 namespace {
 
-constexpr int kMostPoints = 1000; // along one side: more is a slip
+constexpr int kMostPoints = 1000;                   // along one side: more is a slip
+constexpr std::int64_t kMostControlPoints = 100000; // in all
 
 /// Numbers from the lines of a section.
 using Rows = std::vector<std::vector<double>>;
@@ -167,6 +169,8 @@ Su2FfdBox finished(const std::string& path, const RawBox& raw)
         const int order = raw.bspline && raw.order[axis] > 1 ? raw.order[axis] : raw.degree[axis] + 1;
         box.degree[axis] = flat ? 0 : std::min(order - 1, raw.degree[axis]);
     }
+    if (std::int64_t{box.points[0]} * box.points[1] * box.points[2] > kMostControlPoints)
+        fail(path, raw, "has more than " + std::to_string(kMostControlPoints) + " control points");
     place_control_points(path, raw, box);
     return box;
 }

@@ -72,6 +72,8 @@ TEST(Su2Ffd, NamesTheBoxOfWhatIsWrong)
     EXPECT_EQ(refusal("FFD_DEGREE_J= 1\n", ""), "wing.su2: FFD box 'BOX': has no FFD_DEGREE_J");
     EXPECT_EQ(refusal("= 2\n", "= 20000\n"),
               "wing.su2: FFD box 'BOX': FFD_DEGREE_I must be a number up to 1000");
+    EXPECT_EQ(refusal("I= 2\nFFD_DEGREE_J= 1", "I= 900\nFFD_DEGREE_J= 900"),
+              "wing.su2: FFD box 'BOX': has more than 100000 control points");
     EXPECT_EQ(refusal("POINTS= 4", "POINTS= 3"),
               "wing.su2: FFD box 'BOX': has 3 corner points, but 4 or 8 were expected");
     EXPECT_EQ(refusal("POINTS= 4", "POINTS= 9"),

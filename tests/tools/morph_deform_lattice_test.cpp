@@ -245,6 +245,10 @@ TEST_F(LatticeCase, SaysWhatIsWrongWithALattice)
                 HasSubstr("case.toml:3: [lattice] "));
     EXPECT_THAT(refusal(case_of("points = [4, 4]\nbox = [90, 90, 91, 91]\n")),
                 HasSubstr("holds no vertex of the mesh"));
+    EXPECT_THAT(refusal(case_of("points = [999, 999]\nbox = [0, 0, 1, 1]\n")),
+                HasSubstr("[lattice] points make more than 100000 control points"));
+    EXPECT_THAT(refusal(case_of("points = [1e300, 4]\nbox = [0, 0, 1, 1]\n")),
+                HasSubstr("[lattice] points must be whole numbers from 2 to 1000"));
     EXPECT_THAT(refusal(case_of("points = [4, 4]\n")),
                 HasSubstr("[lattice] needs one of box, origin with axes"));
     EXPECT_THAT(refusal(case_of(kBox + "displacements = [[6, 0, 1, 1]]\n")),

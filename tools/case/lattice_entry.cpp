@@ -3,12 +3,14 @@
 #include "libmorph/core/error.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace morph::tools {
 
 namespace {
 
-constexpr Index kMostPoints = 1000; // along one side
+constexpr Index kMostPoints = 1000;                 // along one side
+constexpr std::int64_t kMostControlPoints = 100000; // in all: more is a slip
 
 const std::vector<std::string> kKeys{"basis",         "degree",         "points",     "knots_i",
                                      "knots_j",       "knots_k",        "box",        "origin",
@@ -33,8 +35,8 @@ void take_counts(const TomlTable& table, const std::string& key, int dimension, 
                                         " numbers, but points has " + std::to_string(dimension));
     for (std::size_t axis = 0; axis < values->size(); ++axis) {
         const double value = (*values)[axis];
-        if (value != static_cast<double>(static_cast<Number>(value)) || value < static_cast<double>(least) ||
-            value > static_cast<double>(most))
+        if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+              value == static_cast<double>(static_cast<Number>(value))))
             table.fail(table.line(key), "[lattice] " + key + " must be whole numbers from " +
                                             std::to_string(least) + " to " + std::to_string(most));
         counts[axis] = static_cast<Number>(value);
@@ -164,6 +166,9 @@ LatticeEntry lattice_entry(const TomlTable& table)
         entry.points[2] = 1;
         entry.degree[2] = 0;
     }
+    if (std::int64_t{entry.points[0]} * entry.points[1] * entry.points[2] > kMostControlPoints)
+        table.fail(table.line("points"), "[lattice] points make more than " +
+                                             std::to_string(kMostControlPoints) + " control points");
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(entry.dimension); ++axis)
         if (entry.degree[axis] >= entry.points[axis])
             table.fail(table.line(table.has("degree") ? "degree" : "points"),
