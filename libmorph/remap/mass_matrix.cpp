@@ -92,7 +92,8 @@ MassMatrix::MassMatrix(const Mesh& mesh, const std::vector<Index>& first_piece,
             row.start(static_cast<Index>(v));
             for (const FaceHandle face : mesh.kernel.vf_range(VertexHandle(static_cast<Index>(v)))) {
                 auto number = static_cast<std::size_t>(first_piece[static_cast<std::size_t>(face.idx())]);
-                for (const Piece& piece : cut_element(mesh, face.idx(), Cut::triangles).all())
+                for (const Pieces pieces = cut_element(mesh, face.idx(), Cut::triangles);
+                     const Piece& piece : pieces.all())
                     row.add_triangle(piece.vertices, masses[number++]);
             }
             const double sum = std::accumulate(row.values.begin(), row.values.end(), 0.0);

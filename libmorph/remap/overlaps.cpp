@@ -91,7 +91,7 @@ private:
     /// @param crossed  set for the sides of the element that reach into the piece
     void add(const Piece& piece, Index face, std::array<bool, 4>& crossed)
     {
-        for (const Piece& part : cut_element(mesh_, face, cut_).all()) {
+        for (const Pieces pieces = cut_element(mesh_, face, cut_); const Piece& part : pieces.all()) {
             const bool part_first = part.area < piece.area;
             const ConvexPolygon& small = part_first ? part.outline : piece.outline;
             const ConvexPolygon common = clip(small, part_first ? piece.outline : part.outline);
@@ -163,7 +163,8 @@ Overlaps::Overlaps(const Locator& source, const Mesh& target, Cut cut)
     parallel_for(first_piece_.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             Index i = first_piece_[f];
-            for (const Piece& piece : cut_element(target, static_cast<Index>(f), cut).all())
+            for (const Pieces pieces = cut_element(target, static_cast<Index>(f), cut);
+                 const Piece& piece : pieces.all())
                 centres.row(i++) = centre_of(piece);
         }
     });

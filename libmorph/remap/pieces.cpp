@@ -94,7 +94,8 @@ double total_area(const Mesh& mesh)
     std::vector<double> sums((faces + kGrain - 1) / kGrain, 0);
     parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            for (const Piece& piece : cut_element(mesh, static_cast<Index>(f), Cut::where_dented).all())
+            for (const Pieces pieces = cut_element(mesh, static_cast<Index>(f), Cut::where_dented);
+                 const Piece& piece : pieces.all())
                 sums[begin / kGrain] += piece.area;
     });
     return std::accumulate(sums.begin(), sums.end(), 0.0);

@@ -26,8 +26,9 @@ struct Pieces {
     std::array<Piece, 2> piece;
     int count = 0;
 
-    std::span<const Piece> all() const { return {piece.data(), static_cast<std::size_t>(count)}; }
-    std::span<Piece> all() { return {piece.data(), static_cast<std::size_t>(count)}; }
+    std::span<const Piece> all() const& { return {piece.data(), static_cast<std::size_t>(count)}; }
+    std::span<Piece> all() & { return {piece.data(), static_cast<std::size_t>(count)}; }
+    void all() && = delete; // a loop over what cut_element() returns would outlive it
 };
 
 /// Cut an element of a planar mesh.

@@ -94,7 +94,7 @@ TEST(CutElement, TurnsAnInvertedElementToCounterClockwise)
     EXPECT_EQ(pieces.piece[0].area, 2);
     EXPECT_EQ(area(pieces.piece[0].outline), 2);
     expect_sides_of_the_element(mesh, pieces.piece[0]);
-    for (const Piece& half : cut_element(mesh, 0, Cut::triangles).all()) {
+    for (const Pieces both = cut_element(mesh, 0, Cut::triangles); const Piece& half : both.all()) {
         EXPECT_EQ(area(half.outline), 1);
         expect_sides_of_the_element(mesh, half);
     }
