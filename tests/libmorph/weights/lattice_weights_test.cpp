@@ -14,15 +14,6 @@ namespace {
 
 using namespace morph;
 
-/// All kinds but rational ones of high degree in space, whose embedding (see its own test) takes seconds.
-std::vector<Lattice> kinds_of_lattices()
-{
-    std::vector<Lattice> kinds = test::all_kinds_of_lattices();
-    std::erase_if(kinds,
-                  [](const Lattice& l) { return l.dimension() == 3 && l.definition().degree[0] == 9; });
-    return kinds;
-}
-
 /// Points in a lattice and some outside, in turn.
 Points with_outsiders(const Lattice& lattice, const Points& inside)
 {
@@ -44,7 +35,7 @@ Points moved_by_weights(const SparseWeights& weights, const Matrix& displacement
 
 TEST(LatticeWeights, SumToOneInsideAndAreEmptyOutside)
 {
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const Points points = with_outsiders(lattice, test::random_embedded(lattice, 200).positions);
         const SparseWeights weights = lattice_weights(lattice, embed(lattice, points));
         ASSERT_EQ(weights.values.rows(), points.rows());
@@ -70,7 +61,7 @@ TEST(LatticeWeights, CarryAffineMotionsOfTheControlPointsToThePoints)
     Eigen::Matrix3d linear;
     linear << 0.1, -0.2, 0, 0.3, 0.05, 0, 0, 0, 0;
     const Eigen::RowVector3d shift(0.5, -0.25, 0);
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const Points points = test::random_embedded(lattice, 300).positions;
         const Matrix displacements =
             ((lattice.definition().control_points * linear.transpose()).rowwise() + shift)
@@ -84,7 +75,7 @@ TEST(LatticeWeights, CarryAffineMotionsOfTheControlPointsToThePoints)
 
 TEST(LatticeWeights, MoveAsTheMapItselfDoes)
 {
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const test::Embedded embedded = test::random_embedded(lattice, 200);
         const Matrix displacements =
             0.1 * Matrix::Random(lattice.control_point_count(), 3).leftCols(lattice.dimension());
@@ -104,7 +95,7 @@ TEST(LatticeWeights, MoveAsTheMapItselfDoes)
 
 TEST(LatticeWeights, AreTheSameBytesForAnyThreadCount)
 {
-    const Lattice lattice = kinds_of_lattices().front();
+    const Lattice lattice = test::all_kinds_of_lattices().front();
     const Points points = test::random_embedded(lattice, 20000).positions;
     const Embedding embedding = embed(lattice, points);
     set_thread_count(1);
@@ -117,7 +108,7 @@ TEST(LatticeWeights, AreTheSameBytesForAnyThreadCount)
 
 TEST(MoveByLattice, IsTheProductWithTheWeightsAndLeavesPointsOutsideAlone)
 {
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const Points points = with_outsiders(lattice, test::random_embedded(lattice, 500).positions);
         const Embedding embedding = embed(lattice, points);
         const Matrix displacements =
@@ -133,7 +124,7 @@ TEST(MoveByLattice, IsTheProductWithTheWeightsAndLeavesPointsOutsideAlone)
 
 TEST(MoveByLattice, MovesNothingWithoutDisplacements)
 {
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const Points points = test::random_embedded(lattice, 300).positions;
         Points moved = points;
         const Eigen::Map<Points> view(moved.data(), moved.rows(), 3);
@@ -147,7 +138,7 @@ TEST(MoveByLattice, MovesNothingWithoutDisplacements)
 
 TEST(MoveByLattice, FollowsWeightsAsDesignVariables)
 {
-    for (const Lattice& lattice : kinds_of_lattices()) {
+    for (const Lattice& lattice : test::all_kinds_of_lattices()) {
         const test::Embedded embedded = test::random_embedded(lattice, 200);
         std::vector<double> weights;
         for (Index k = 0; k < lattice.control_point_count(); ++k)
@@ -164,7 +155,7 @@ TEST(MoveByLattice, FollowsWeightsAsDesignVariables)
 
 TEST(MoveByLattice, RefusesWhatDoesNotFit)
 {
-    const Lattice lattice = kinds_of_lattices().front();
+    const Lattice lattice = test::all_kinds_of_lattices().front();
     const Points points = test::random_embedded(lattice, 5).positions;
     const Embedding embedding = embed(lattice, points);
     Points moved = points;
