@@ -1,5 +1,7 @@
 #include "tests/support/weights.h"
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace morph::test {
@@ -38,6 +40,34 @@ SparseWeights random_sparse_weights(Index rows, Index columns)
 SparseWeights sparse(const Weights& weights)
 {
     return {weights.columns, weights.values.sparseView()};
+}
+
+CarriedPoints nodes_on(const Curve& curve, Index count)
+{
+    const Points2& P = curve.definition().control_points;
+    CarriedPoints nodes{Points::Zero(count, 3), {count, static_cast<Index>(P.rows())}};
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index i = 0; i < count; ++i) {
+        const BasisRow row = curve.basis(static_cast<double>(i) / count);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(row.count); ++k)
+            entries.emplace_back(i, row.control[k], row.value[k]);
+    }
+    nodes.weights.setFromTriplets(entries.begin(), entries.end());
+    nodes.positions.leftCols<2>() = nodes.weights * P;
+    return nodes;
+}
+
+Curve ellipse_curve(Index control_points, double height)
+{
+    CurveDefinition curve;
+    curve.degree = 3;
+    curve.closed = true;
+    curve.control_points.resize(control_points, 2);
+    for (Index k = 0; k < control_points; ++k) {
+        const double angle = 2 * std::numbers::pi * k / control_points;
+        curve.control_points.row(k) << std::cos(angle), height * std::sin(angle);
+    }
+    return Curve(curve);
 }
 
 } // namespace morph::test

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "libmorph/weights/weights.h"
+#include "libmorph/basis/curve.h"
+#include "libmorph/deform/carried_points.h"
 
 namespace morph::test {
 
@@ -12,5 +13,11 @@ SparseWeights random_sparse_weights(Index rows, Index columns);
 
 /// The same weights with only those stored that are not zero.
 SparseWeights sparse(const Weights& weights);
+
+/// Nodes at equal steps of u on a closed curve, carried by its control points.
+CarriedPoints nodes_on(const Curve& curve, Index count);
+
+/// Closed cubic curve with @p control_points points on the ellipse x^2 + (y / height)^2 = 1.
+Curve ellipse_curve(Index control_points, double height);
 
 } // namespace morph::test
