@@ -25,7 +25,7 @@ void require_measurable(const Requirement& requirement)
 {
     if (std::isnan(requirement.undisplaced))
         throw InputError("the line of constraint '" + requirement.name + "' does not cross its boundary");
-    if (requirement.measure.kind == Kind::area && !(std::abs(requirement.undisplaced) > 0))
+    if (requirement.measure.kind == Kind::area && !(requirement.undisplaced > 0))
         throw InputError("constraint '" + requirement.name +
                          "' keeps an area, but its boundary encloses none");
 }
@@ -42,12 +42,14 @@ void find_targets(const std::vector<CarriedPoints>& shapes, Eigen::Index compone
         measures_of(requirements, std::move(resting), components).at(Matrix(0, components)).values;
     for (std::size_t j = 0; j < requirements.size(); ++j) {
         Requirement& requirement = requirements[j];
-        requirement.undisplaced = undisplaced[static_cast<Eigen::Index>(j)];
+        const double value = undisplaced[static_cast<Eigen::Index>(j)];
+        requirement.measure.turn = value < 0 ? -1 : 1; // extents and distances are not negative
+        requirement.undisplaced = std::abs(value);
         require_measurable(requirement);
         const Bound& bound = requirement.bound;
         requirement.target = bound.relative ? bound.value * requirement.undisplaced : bound.value;
         requirement.scale = requirement.measure.kind == Kind::area
-                                ? std::abs(requirement.undisplaced)
+                                ? requirement.undisplaced
                                 : size_of(shapes[requirement.measure.shape]);
     }
 }

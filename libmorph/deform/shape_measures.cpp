@@ -131,8 +131,8 @@ ShapeMeasures::Values ShapeMeasures::at(const Matrix& D) const
         const ShapeMeasure& measure = measures_[static_cast<std::size_t>(j)];
         const CarriedPoints& shape = shapes_[measure.shape];
         if (measure.kind == Kind::area) {
-            result.values[j] = signed_area(moved[measure.shape]);
-            result.jacobian.row(j) = area_gradient(shape, moved[measure.shape]);
+            result.values[j] = measure.turn * signed_area(moved[measure.shape]);
+            result.jacobian.row(j) = measure.turn * area_gradient(shape, moved[measure.shape]);
         } else {
             const LocalMeasure local = local_measure(measure, moved);
             result.values[j] = local.value;
@@ -152,7 +152,7 @@ void ShapeMeasures::add_hessian(const Matrix& D, const Eigen::VectorXd& factors,
         if (factor == 0)
             continue;
         if (measure.kind == Kind::area)
-            add_area_hessian(mixed_[j], factor, hessian);
+            add_area_hessian(mixed_[j], measure.turn * factor, hessian);
         else
             add_carried_hessian(shapes_[measure.shape], local_measure(measure, moved), components_, factor,
                                 hessian);

@@ -10,7 +10,7 @@ namespace morph {
 /// A number that tells of a shape.
 struct ShapeMeasure {
     enum class Kind {
-        area,    ///< signed area inside a closed polygon in the x, y plane
+        area,    ///< area inside a closed polygon in the x, y plane
         extent,  ///< extent of a closed polygon along a line, extent_along()
         distance ///< distance of two points
     };
@@ -19,6 +19,8 @@ struct ShapeMeasure {
     std::size_t shape = 0;                           ///< which of the shapes
     Eigen::Vector2d at = Eigen::Vector2d::Zero();    ///< extent: a point of the line
     Eigen::Vector2d along = Eigen::Vector2d::Zero(); ///< extent: its direction, of length 1
+    double turn =
+        1; ///< area: 1 counts it positive inside a polygon that runs counter-clockwise, -1 clockwise
 };
 
 /// Measures of shapes as functions of the displacements D of the control points, with their first and second

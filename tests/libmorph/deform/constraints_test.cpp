@@ -80,6 +80,20 @@ TEST(Constraints, KeepTheAreaUnderAnyMove)
     }
 }
 
+TEST(Constraints, DoNotMindWhichWayABoundaryRuns)
+{
+    const ConstraintSet set = area_kept();
+    ConstraintSet turned = set;
+    CarriedPoints& nodes = turned.boundaries[0].nodes;
+    nodes.positions = nodes.positions.colwise().reverse().eval();
+    nodes.weights = Matrix(Matrix(nodes.weights).colwise().reverse()).sparseView();
+    const Matrix wanted = 0.05 * Matrix::Random(kControlPoints, 2);
+    const ConstrainedMove one = satisfy_constraints(set, wanted);
+    const ConstrainedMove other = satisfy_constraints(turned, wanted);
+    EXPECT_LE((one.displacements - other.displacements).norm(), kMeasured);
+    EXPECT_GT(other.measured[0].reached, 0);
+}
+
 // By symmetry the nearest change is radial as well, and of those only none keeps the area.
 TEST(Constraints, TakeBackWhatBlowsUpACircle)
 {
