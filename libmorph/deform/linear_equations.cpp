@@ -47,12 +47,10 @@ void SolutionSpace::find_base(const Eigen::VectorXd& values, double tolerance)
     const Eigen::MatrixXd Q = qr.householderQ();
     directions_ = Q.rightCols(Q.cols() - rank);
     const auto R = qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
-    Eigen::VectorXd residual = values - equations_ * base_;
-    for (int pass = 0; pass < 2; ++pass) { // the second takes back the rounding of the first
-        const Eigen::VectorXd chosen = (qr.colsPermutation().transpose() * residual).head(rank);
-        base_ += Q.leftCols(rank) * R.transpose().solve(chosen);
-        residual = values - equations_ * base_;
-    }
+    const Eigen::VectorXd chosen =
+        (qr.colsPermutation().transpose() * (values - equations_ * base_)).head(rank);
+    base_ += Q.leftCols(rank) * R.transpose().solve(chosen);
+    const Eigen::VectorXd residual = values - equations_ * base_;
     if (residual.cwiseAbs().maxCoeff() <= tolerance)
         return;
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> nearest(equations_);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace morph {
@@ -22,7 +21,6 @@ constexpr double kSmallStep = 1e-9;  ///< part of the size of y; a step of Newto
 constexpr double kShortest = 1e-6;   ///< part of a step that a line search still tries
 constexpr double kEnough = 1e-4;     ///< part of the predicted decrease that it asks for
 constexpr double kCorrection = 0.5;  ///< of a step, at most
-constexpr double kContracts = 0.5;   ///< a step this much shorter than the last needs no other proof
 constexpr double kNoise = 1e-14;     ///< of a merit, from rounding
 constexpr double kInvolved = 1e-6;   ///< part that a condition has in a contradiction, of the largest part
 constexpr double kDependent = 1e-10; ///< of the largest pivot: rows that depend on others
@@ -193,10 +191,7 @@ private:
         const auto merit_of = [this](const auto& y, const auto& values) { return merit(y, values); };
         const auto bound = [&](double part) { return before + kEnough * part * slope + kNoise * before; };
         multipliers_ = program.multipliers;
-        const bool contracts = s.norm() <= kContracts * last_newton_;
-        last_newton_ = s.norm();
-        if (take_if(start + s, bound(1), merit_of) || take_if(start + corrected(s), bound(1), merit_of) ||
-            (contracts && take_if(start + s, std::numeric_limits<double>::max(), merit_of)))
+        if (take_if(start + s, bound(1), merit_of) || take_if(start + corrected(s), bound(1), merit_of))
             return s.norm();
         for (double part = 0.5; part > kShortest; part /= 2)
             if (take_if(start + part * s, bound(part), merit_of))
@@ -252,7 +247,6 @@ private:
     Conditions::Values now_;
     Eigen::VectorXd multipliers_;
     Eigen::VectorXd penalties_;
-    double last_newton_ = 0; ///< length of the last step of Newton before the line search
 };
 
 } // namespace

@@ -44,8 +44,8 @@ struct NearestPoint {
 /// correction]. Where the linearised conditions contradict each other, a step of Gauss and Newton reduces
 /// what is violated.
 ///
-/// Derivatives that are slightly off, because a condition has kinks, slow it down but do not stop it: steps
-/// that shrink are taken without a proof of progress.
+/// Derivatives that are slightly off, because a condition has kinks, slow it down but do not stop it: where
+/// no step comes nearer any more, it ends as soon as the conditions are met.
 ///
 /// Local: with strongly curved conditions another point may be nearer still.
 ///

@@ -65,11 +65,9 @@ Pulled pull_points(const CarriedPoints& points, const Matrix& wanted, const Matr
     decomposition.setThreshold(kOutOfReach);
     decomposition.compute(W);
     result.rank = static_cast<Index>(decomposition.rank());
-    for (int pass = 0; pass < 2; ++pass) { // the second takes back the rounding of the first
-        const Matrix change = decomposition.solve(result.residual);
-        result.displacements(columns, Eigen::all) += change;
-        result.residual -= W * change;
-    }
+    const Matrix change = decomposition.solve(result.residual);
+    result.displacements(columns, Eigen::all) += change;
+    result.residual = wanted - points.weights * result.displacements;
     return result;
 }
 

@@ -173,6 +173,20 @@ TEST(Constraints, TellWhichThicknessesHoldBack)
     EXPECT_NEAR(move.measured[1].bound, 0.9 * move.measured[1].undisplaced, 1e-15);
 }
 
+TEST(Constraints, AreReportedInTheOrderOfTheSet)
+{
+    ConstraintSet set = area_kept();
+    set.thicknesses = {thickness_at(-0.5, Bound::Kind::at_least, 0.5),
+                       thickness_at(0.5, Bound::Kind::equal, 0.9)};
+    const ConstrainedMove move = satisfy_constraints(set, 0.01 * Matrix::Random(kControlPoints, 2));
+    ASSERT_EQ(move.measured.size(), 3U);
+    EXPECT_EQ(move.measured[0].name, "area of body");
+    EXPECT_EQ(move.measured[1].name, set.thicknesses[0].name);
+    EXPECT_FALSE(move.measured[1].active);
+    EXPECT_EQ(move.measured[2].name, set.thicknesses[1].name);
+    EXPECT_TRUE(move.measured[2].active);
+}
+
 TEST(Constraints, MoveFixedPointsExactlyAsTold)
 {
     ConstraintSet set = area_kept();
@@ -236,6 +250,22 @@ TEST(Constraints, LeaveHeldControlPointsAndThoseOfOtherBoundaries)
     for (const Index k : {0, 7, kControlPoints, kControlPoints + 1})
         EXPECT_EQ(move.displacements.row(k), wanted.row(k)) << k;
     EXPECT_NEAR(area_of(moved_body(set, move)) / area_of(body.positions), 1, kMeasured);
+}
+
+TEST(Constraints, ReckonWithWhatHeldControlPointsMove)
+{
+    ConstraintSet set = area_kept();
+    const CarriedPoints& body = set.boundaries[0].nodes;
+    const CarriedPoints point{body.positions.row(30), body.weights.middleRows(30, 1)};
+    set.fixed.push_back({"point", point, {}});
+    set.held = {static_cast<Index>(point.weights.innerIndexPtr()[1]), 10};
+    set.ties.push_back({"tie", {10, 12}});
+    const Matrix wanted = 0.05 * Matrix::Random(kControlPoints, 2);
+    const ConstrainedMove move = satisfy_constraints(set, wanted);
+    for (const Index k : set.held)
+        EXPECT_EQ(move.displacements.row(k), wanted.row(k)) << k;
+    EXPECT_LE((point.weights * move.displacements).norm(), kLinear);
+    EXPECT_LE((move.displacements.row(12) - wanted.row(10)).norm(), kLinear);
 }
 
 TEST(Constraints, BoundDistancesInSpace)

@@ -15,7 +15,7 @@ namespace {
 using namespace morph;
 using ::testing::HasSubstr;
 
-// Sums of 1000 products of numbers of size 1.
+// Sums of up to 40000 products of numbers of size 1, as random as their rounding.
 constexpr double kRoundOff = 1e-13;
 
 /// A smooth objective of all vertices, neither linear nor quadratic, and its derivative.
@@ -35,9 +35,10 @@ Matrix objective_gradient(const Points& x)
 
 TEST(ControlPointGradient, IsTheProductWithTheTransposedWeights)
 {
-    const Weights weights = test::random_weights(1000, 7);
+    constexpr Index kRows = 40'000; // more than one block
+    const Weights weights = test::random_weights(kRows, 7);
     for (const int components : {2, 3}) {
-        const Matrix gradient = Matrix::Random(1000, components);
+        const Matrix gradient = Matrix::Random(kRows, components);
         const Matrix expected = weights.values.transpose() * gradient;
         EXPECT_LE((control_point_gradient(weights, gradient) - expected).norm(), kRoundOff * expected.norm())
             << components;

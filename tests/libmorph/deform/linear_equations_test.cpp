@@ -61,6 +61,19 @@ TEST(SolutionSpace, AcceptsEquationsThatRepeatEachOther)
     EXPECT_LE((A * space.base() - b).norm(), kSolveTol);
 }
 
+TEST(SolutionSpace, DoesNotGoFarForWhatRoundingTellsApart)
+{
+    Eigen::MatrixXd A = Eigen::MatrixXd::Random(2, 6);
+    A.row(1) = A.row(0);
+    A(1, 3) += 1e-13;
+    Eigen::VectorXd b = A * Eigen::VectorXd::Random(6);
+    b[1] += 1e-12; // within the tolerance
+    const SolutionSpace space(equations_from(A, b), Eigen::VectorXd::Zero(6), kTolerance);
+    EXPECT_THAT(space.clash(), IsEmpty());
+    EXPECT_EQ(space.dimension(), 5);
+    EXPECT_LE(space.base().norm(), 3); // no more than the point b comes from
+}
+
 TEST(SolutionSpace, NamesTheEquationsThatContradictEachOther)
 {
     Eigen::MatrixXd A = Eigen::MatrixXd::Random(5, 8);

@@ -129,6 +129,28 @@ TEST(NearestPoint, NamesTheConditionsThatContradictEachOther)
     EXPECT_THAT(found.missed, ::testing::Contains(0));
 }
 
+/// a_j y - b_j = 0 for one unknown.
+class Points1 : public Conditions {
+public:
+    Points1(Eigen::VectorXd a, Eigen::VectorXd b) : a_(std::move(a)), b_(std::move(b)) {}
+
+    Eigen::Index equations() const override { return a_.size(); }
+    Values at(const Eigen::VectorXd& y) const override { return {a_ * y[0] - b_, a_}; }
+    void add_hessian(const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::MatrixXd&) const override {}
+
+private:
+    Eigen::VectorXd a_;
+    Eigen::VectorXd b_;
+};
+
+TEST(NearestPoint, NamesTheMostInvolvedFirst)
+{
+    const NearestPoint found =
+        nearest_point(Points1(Eigen::Vector3d(0.1, 1, 1), Eigen::Vector3d(1, 2, -3)), 1);
+    EXPECT_TRUE(found.contradiction);
+    EXPECT_THAT(found.missed, ::testing::ElementsAre(2, 1, 0)); // by 2.5, 2.5 and 0.1, but for a little
+}
+
 TEST(NearestPoint, AcceptsConditionsThatRepeatEachOtherInAnotherForm)
 {
     Quadrics::Quadric same = circle(3, 4, 2);

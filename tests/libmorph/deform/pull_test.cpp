@@ -72,6 +72,27 @@ TEST(PullPoints, MeetsContradictingWishesHalfway)
     EXPECT_EQ(pulled.rank, 1);
 }
 
+/// Two points whose weights differ by @p difference in one control point.
+CarriedPoints close_points(double difference)
+{
+    CarriedPoints points = random_points(1, 4);
+    Matrix W = Matrix(points.weights).replicate(2, 1);
+    W(1, 2) += difference;
+    return {Points::Zero(2, 3), W.sparseView()};
+}
+
+TEST(PullPoints, PullsCloseNeighboursApartButNotTheSamePoint)
+{
+    Matrix wanted(2, 2);
+    wanted << 1, 0, 0, 1;
+    const Pulled apart = pull_points(close_points(1e-4), wanted, Matrix::Zero(4, 2));
+    EXPECT_LE(apart.residual.norm(), 1e-10); // by a change of some 1e4
+    EXPECT_EQ(apart.rank, 2);
+    const Pulled same = pull_points(close_points(1e-14), wanted, Matrix::Zero(4, 2));
+    EXPECT_LE(same.displacements.norm(), 10);
+    EXPECT_EQ(same.rank, 1);
+}
+
 TEST(PullPoints, LeavesHeldControlPointsAndThoseThatMoveNothing)
 {
     CarriedPoints points = random_points(2, 8);
