@@ -102,10 +102,10 @@ struct ConstrainedMove {
 ///
 /// Written on the rows of weights alone, so for every linear method. Fixed points, ties and symmetries are
 /// linear and are eliminated; areas and lengths follow by nearest_point(). The error of a step is squared for
-/// areas and distances; for thicknesses, whose derivatives are smoothed (extent_along()), it falls by about the
-/// angle between neighbouring sides. Areas are met to 1e-12 of themselves, lengths to 1e-12 of the size of their
-/// boundary, linear constraints to 1e-11 of the size of the displacements or shapes. Control points that no
-/// constraint concerns keep their wanted displacements.
+/// areas and distances; for thicknesses, whose derivatives are smoothed (extent_along()), it falls by about
+/// the angle between neighbouring sides. Areas are met to 1e-12 of themselves, lengths to 1e-12 of the size
+/// of their boundary, linear constraints to 1e-11 of the size of the displacements or shapes. Control points
+/// that no constraint concerns keep their wanted displacements.
 ///
 /// The search is local and starts from the wanted displacements: moves much larger than the shape can end
 /// elsewhere than nearest, or get stuck.
