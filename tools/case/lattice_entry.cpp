@@ -114,7 +114,7 @@ void take_displacements(const TomlTable& table, LatticeEntry& entry)
                                             : std::vector<std::string>{"i", "j", "k", "dx", "dy", "dz"};
     const auto rows = table.rows("displacements", names);
     entry.sparse_displacements = Matrix::Zero(rows ? rows->rows() : 0, 6);
-    if (rows) {
+    if (rows && rows->rows() > 0) { // a block of an empty matrix would be an offset from a null pointer
         entry.sparse_displacements.leftCols(entry.dimension) = rows->leftCols(entry.dimension);
         entry.sparse_displacements.middleCols(3, entry.dimension) = rows->rightCols(entry.dimension);
     }
