@@ -164,13 +164,15 @@ CaseFile parse_case_file(std::string_view bytes, const std::string& path)
 {
     const toml::table document = parse(bytes, path);
     const TomlTable root(document, path, "the case file");
-    root.require_known({"mesh", "boundary", "lattice", "pull", "deform", "output"});
+    root.require_known({"mesh", "boundary", "lattice", "pull", "constraints", "deform", "output"});
     CaseFile file;
     file.path = path;
     read_mesh_section(root, file);
     if (const auto table = root.table("lattice", "[lattice]"))
         file.lattice = lattice_entry(*table);
     file.pulls = pull_entries(root);
+    if (const auto table = root.table("constraints", "[constraints]"))
+        file.constraints = constraints_entry(*table);
     read_boundaries(root, file);
     read_deform_section(root, file);
     if (file.method == "ffd" && !file.lattice)

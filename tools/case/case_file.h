@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/curve.h"
+#include "tools/case/constraints_entry.h"
 #include "tools/case/lattice_entry.h"
 #include "tools/case/pull_entry.h"
 
@@ -35,6 +36,7 @@ struct CaseFile {
     std::vector<BoundaryEntry> boundaries;
     std::optional<LatticeEntry> lattice;
     std::vector<PullEntry> pulls;
+    std::optional<ConstraintsEntry> constraints;
     std::string method = "harmonic";
     std::string diffusivity = "uniform";
     std::string guard = "check";

@@ -4,6 +4,7 @@
 #include "libmorph/deform/apply.h"
 #include "libmorph/deform/carried_points.h"
 #include "libmorph/deform/move_lattice.h"
+#include "tools/deform/case_constraints.h"
 
 #include <Eigen/Cholesky>
 
@@ -143,14 +144,16 @@ CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::str
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion)
 {
     ControlOutcome outcome;
-    if (reweighs(file) && (file.method != "ffd" || !file.pulls.empty()))
+    if (reweighs(file) && (file.method != "ffd" || !file.pulls.empty() || file.constraints))
         throw InputError(file.path + ":" + std::to_string(file.lattice->line) +
-                         ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls: the "
-                         "move is not linear in them");
+                         ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls and "
+                         "constraints: the move is not linear in them");
     if (file.method == "ffd" && !motion.curves.boundaries.empty())
         outcome.curve_misfit = fit_lattice(mesh, motion);
     if (!file.pulls.empty())
         outcome.pull = pull(mesh, file, motion.rows(), motion.held(), motion.displacements);
+    if (file.constraints)
+        outcome.constrained = constrain(mesh, file, outcome.pull, motion);
     if (file.method == "ffd")
         return outcome;
     motion.curves.displacements = motion.displacements;

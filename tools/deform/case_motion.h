@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/deform/constraints.h"
 #include "libmorph/weights/weight_rows.h"
 #include "tools/deform/case_control.h"
 #include "tools/deform/case_weights.h"
@@ -34,14 +35,16 @@ struct CaseMotion {
 /// @throws InputError, SolverError
 CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file = "");
 
-/// What pulls and the fit of a lattice to moved curves did to the displacements.
+/// What the fit of a lattice to moved curves, pulls and constraints did to the displacements.
 struct ControlOutcome {
     std::optional<PullOutcome> pull;
+    std::optional<ConstrainedMove> constrained;
     std::optional<double>
         curve_misfit; ///< largest distance of a boundary node to its moved curve, length unit of the mesh
 };
 
-/// Let the curves that a lattice is fitted to, and [[pull]], have their say about the displacements.
+/// Let the curves that a lattice is fitted to, then [[pull]], then [constraints] have their say about the
+/// displacements.
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion);
 
 /// Move the vertices.

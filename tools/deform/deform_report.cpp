@@ -83,6 +83,26 @@ void describe_lattice(const PlacedLattice& placed, Report& report)
                " vertices lie in it");
 }
 
+void describe_constraints(const ConstrainedMove& move, Report& report)
+{
+    ordered_json measured = ordered_json::array();
+    report.say("constraints: met by changing the control points by " + short_number(move.change) +
+               " in all, in " + std::to_string(move.iterations) + " steps");
+    for (const MeasuredConstraint& item : move.measured) {
+        measured.push_back({{"name", item.name},
+                            {"before", item.undisplaced},
+                            {"wanted", item.wanted},
+                            {"bound", item.bound},
+                            {"reached", item.reached},
+                            {"active", item.active}});
+        report.say("  " + item.name + ": " + short_number(item.undisplaced) + " before the move, " +
+                   short_number(item.reached) + " after it, " + short_number(item.wanted) +
+                   " without the constraints");
+    }
+    report.json["constraints"] = {
+        {"change", move.change}, {"iterations", move.iterations}, {"measured", measured}};
+}
+
 void describe_control(const ControlOutcome& control, Report& report)
 {
     if (control.curve_misfit) {
@@ -91,6 +111,8 @@ void describe_control(const ControlOutcome& control, Report& report)
     }
     if (control.pull)
         describe_pull(*control.pull, report);
+    if (control.constrained)
+        describe_constraints(*control.constrained, report);
 }
 
 void describe_quality(const DeformResult& result, Report& report)
