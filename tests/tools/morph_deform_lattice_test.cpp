@@ -125,6 +125,53 @@ TEST_F(LatticeCase, ContinuityHoldsTheOuterControlPoints)
     EXPECT_EQ(report()["lattice"]["held"], 28); // all but 2 x 1 of 30
 }
 
+/// Vertices at x = 0, h, 2 h, 4 h ... 1 on three lines, beside the face x = 0 of the unit square, and at x =
+/// -1.
+MeshData strip_at_a_face(double h)
+{
+    MeshData strip;
+    std::vector<double> x{-1, 0};
+    for (double at = h; at < 1; at *= 2)
+        x.push_back(at);
+    const auto columns = static_cast<Index>(x.size());
+    strip.points = Points::Zero(3 * columns, 3);
+    for (Index row = 0; row < 3; ++row)
+        for (Index i = 0; i < columns; ++i)
+            strip.points.row(row * columns + i) << x[static_cast<std::size_t>(i)], 0.4 + 0.1 * row, 0;
+    for (Index row = 0; row < 2; ++row)
+        for (Index i = 0; i + 1 < columns; ++i) {
+            const Index v = row * columns + i;
+            strip.elements.push_back({v, v + 1, v + columns + 1, v + columns});
+        }
+    return strip;
+}
+
+TEST_F(LatticeCase, WithContinuityKTheFirstKDerivativesOfTheMoveVanishAtTheBox)
+{
+    constexpr double kStep = 1e-3;
+    mesh_ = folder_.file("strip.vtu");
+    output_ = folder_.file("moved.vtu");
+    write_mesh_data(strip_at_a_face(kStep), mesh_);
+    std::string rows;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j)
+            rows += "[" + std::to_string(i) + ", " + std::to_string(j) + ", 0, 0.01], ";
+    for (int k = 0; k <= 2; ++k) {
+        const auto result =
+            deform(case_of("points = [8, 8]\ndegree = [3, 3]\nbox = [0, 0, 1, 1]\ncontinuity = " +
+                           std::to_string(k) + "\ndisplacements = [" + rows + "]\n"));
+        const Points moves = read_mesh_data(output_).points - strip_at_a_face(kStep).points;
+        EXPECT_EQ(moves(0, 1), 0) << k << result.errors; // outside
+        EXPECT_EQ(moves(1, 1), 0) << k;                  // on the face
+        // The move at h, 2 h and 4 h grows as h^(k + 1): derivatives up to the k-th are zero, the next is
+        // not. The term after it is 15 h times as large at most.
+        for (const Index at : {2, 3})
+            EXPECT_NEAR(moves(at + 1, 1) / moves(at, 1), std::pow(2, k + 1),
+                        15 * 4 * kStep * std::pow(2, k + 1))
+                << k;
+    }
+}
+
 TEST_F(LatticeCase, MovesTheBoundaryWhileHarmonicWeightsCarryTheMesh)
 {
     const std::string lattice = kBox + "displacements = [[2, 3, 0, 0.05]]\nmarkers = [\"airfoil\"]\n";
@@ -209,6 +256,36 @@ TEST_F(LatticeCase, DeformsSurfacesInSpace)
         for (Index v = 0; v < after.rows(); ++v)
             EXPECT_NEAR(after(v, 2), read.points(v, 2) + read.points(v, 0) / 2, tolerance) << extension;
     }
+}
+
+TEST_F(LatticeCase, MovesAnStlOfAHundredThousandTrianglesByTheTripleSum)
+{
+    MeshData surface = test::uneven_square(224);
+    surface.dimension = 3;
+    surface.markers.clear();
+    for (Index v = 0; v < surface.points.rows(); ++v)
+        surface.points(v, 2) = 0.5 + 0.3 * std::sin(3 * surface.points(v, 0)) * surface.points(v, 1);
+    mesh_ = folder_.file("surface.stl");
+    output_ = folder_.file("moved.stl");
+    write_mesh_data(surface, mesh_);
+    const Points before = read_mesh_data(mesh_).points;
+    const Points after = moved(case_of("basis = \"bernstein\"\npoints = [3, 3, 3]\nbox = [0, 0, 0, 1, 1, 1]\n"
+                                       "displacements = [[1, 1, 2, 0.2, 0, 0.4], [2, 0, 1, 0, -0.3, 0]]\n"));
+    EXPECT_EQ(report()["quality"]["after"]["triangles"], 100352);
+    ASSERT_EQ(after.rows(), before.rows());
+    const auto quadratic = [](int i, double u) {
+        return i == 0 ? (1 - u) * (1 - u) : i == 1 ? 2 * u * (1 - u) : u * u;
+    };
+    double farthest = 0;
+    for (Eigen::Index v = 0; v < before.rows(); ++v) {
+        const double x = before(v, 0), y = before(v, 1), z = before(v, 2);
+        const double first = quadratic(1, x) * quadratic(1, y) * quadratic(2, z);
+        const double second = quadratic(2, x) * quadratic(0, y) * quadratic(1, z);
+        const Eigen::RowVector3d wanted =
+            before.row(v) + first * Eigen::RowVector3d(0.2, 0, 0.4) + second * Eigen::RowVector3d(0, -0.3, 0);
+        farthest = std::max(farthest, (after.row(v) - wanted).norm());
+    }
+    EXPECT_LT(farthest, 1e-6); // STL holds single precision
 }
 
 TEST_F(LatticeCase, WarnsOfAFoldedLatticeAndNamesTheCell)
