@@ -8,8 +8,8 @@ PACKAGES := \
 	libgtest-dev libgmock-dev libbenchmark-dev time \
 	clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
 
-# What only the benchmarks compare with: VTK and some 150 packages that it brings along.
-BENCH_PACKAGES := libvtk9-dev
+# What only the benchmarks compare with: NumPy, and VTK with some 150 packages that it brings along.
+BENCH_PACKAGES := libvtk9-dev python3-numpy
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)

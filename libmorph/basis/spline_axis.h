@@ -48,22 +48,24 @@ public:
     /// Boor [Piegl & Tiller, The NURBS Book, 2.2 and 2.3].
     ///
     /// @tparam fixed_degree  degree(), where the caller knows it when it is compiled: several times faster
+    /// @tparam Number        double, or a Pack of them
     /// @param u              also outside the span, where its polynomials go on
     /// @param values         degree + 1 numbers
     /// @param derivatives    degree + 1 numbers; not touched without @p slopes
-    template <int fixed_degree = kAnyDegree, bool slopes = false>
-    void evaluate(int span, double u, double* values, double* derivatives = nullptr) const
+    template <int fixed_degree = kAnyDegree, bool slopes = false, typename Number = double>
+    [[gnu::always_inline]] void evaluate(int span, const Number& u, Number* values,
+                                         Number* derivatives = nullptr) const
     {
         const int p = fixed_degree == kAnyDegree ? degree_ : fixed_degree;
         const double* knot = knots_.data() + span;
         const std::ptrdiff_t intervals = std::ptrdiff_t{p} * (p + 1) / 2;
         const double* inverse = inverse_lengths_.data() + (span - p) * intervals;
-        values[0] = 1;
-        double before = 0;
+        values[0] = Number{} + 1.0;
+        Number before{};
         for (int level = 1; level <= p; ++level) {
-            double carried = 0;
+            Number carried{};
             for (int r = 0; r < level; ++r) {
-                const double share = values[r] * *inverse++;
+                const Number share = values[r] * *inverse++;
                 values[r] = carried + (knot[r + 1] - u) * share;
                 carried = (u - knot[r + 1 - level]) * share;
                 if (slopes && level == p) {

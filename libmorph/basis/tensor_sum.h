@@ -25,7 +25,8 @@ TensorNet tensor_net(const Lattice& lattice, const Matrix& values);
 /// (w (P - origin), w) of each control point: N x dimension + 1; without weights P - origin alone.
 Matrix homogeneous_points(const Lattice& lattice, const Eigen::Vector3d& origin);
 
-/// 1, 2 or 3 where all directions have that degree, else SplineAxis::kAnyDegree: what TensorSum is compiled for.
+/// 1, 2 or 3 where all directions have that degree, else SplineAxis::kAnyDegree: what TensorSum is compiled
+/// for.
 int common_degree(const Lattice& lattice);
 
 /// The functions of the three directions at one point.
@@ -35,8 +36,12 @@ struct TensorPoint {
     std::array<AxisValues, 3> slope; ///< filled where derivatives are asked for
 };
 
-/// Sums over the control points around a point, one direction after the other (sum factorisation): j and k act
-/// on whole lines of control points along i, which lie together in memory and fill the registers.
+/// A number for each of four points, for processors that compute with four at a time.
+using Pack = double __attribute__((vector_size(4 * sizeof(double))));
+inline constexpr int kPack = 4;
+
+/// Sums over the control points around a point, one direction after the other (sum factorisation): j and k
+/// act on whole lines of control points along i, which lie together in memory and fill the registers.
 ///
 /// @tparam dimension   2 or 3
 /// @tparam components  numbers per control point
@@ -83,6 +88,51 @@ public:
         return dot(sum, at.value[0]);
     }
 
+    /// The values at four points of one span, each as value() but for the order of the sums.
+    /// @param span        of all four
+    /// @param parameters  of four points, three numbers each
+    [[gnu::always_inline]] void values(const std::array<int, 3>& span, const double* parameters,
+                                       std::array<Pack, components>& total) const
+    {
+        std::array<std::array<Pack, kFunctions>, dimension> functions;
+        const double* layer = net_.values.data();
+        for (int d = 0; d < dimension; ++d) {
+            const double* u = parameters + d;
+            lattice_.axis(d).template evaluate<degree, false, Pack>(
+                span[index(d)], Pack{u[0], u[3], u[6], u[9]}, functions[index(d)].data());
+            layer += (span[index(d)] - (count(d) - 1)) * (d == 0   ? components
+                                                          : d == 1 ? net_.line
+                                                                   : net_.layer);
+        }
+        total = {};
+        for (int k = 0; k < count(2); ++k, layer += net_.layer) {
+            std::array<Pack, components> of_layer{};
+            for (int j = 0; j < count(1); ++j) {
+                std::array<Pack, components> of_line{};
+                const double* value = layer + j * net_.line;
+                for (int i = 0; i < count(0); ++i)
+                    for (std::size_t c = 0; c < components; ++c)
+                        of_line[c] += functions[0][index(i)] * *value++;
+                for (std::size_t c = 0; c < components; ++c)
+                    of_layer[c] += functions[1][index(j)] * of_line[c];
+            }
+            for (std::size_t c = 0; c < components; ++c)
+                if constexpr (dimension == 2)
+                    total[c] = of_layer[c];
+                else
+                    total[c] += functions[2][index(k)] * of_layer[c];
+        }
+    }
+
+    /// The spans of a point.
+    std::array<int, 3> span(const double* u) const
+    {
+        std::array<int, 3> at{};
+        for (int d = 0; d < dimension; ++d)
+            at[index(d)] = lattice_.axis(d).span(u[d]);
+        return at;
+    }
+
     /// The value and its derivatives along i, j and (in space) k.
     void derivatives(const TensorPoint& at, Sum& value, std::array<Sum, dimension>& slopes) const
     {
@@ -111,6 +161,8 @@ public:
 
 private:
     static constexpr bool kFixed = degree != SplineAxis::kAnyDegree;
+    static constexpr std::size_t kFunctions =
+        static_cast<std::size_t>(kFixed ? degree : kMaxLatticeDegree) + 1;
     static constexpr int kLength = kFixed ? components * (degree + 1) : Eigen::Dynamic;
     static constexpr int kLongest = kFixed ? kLength : components * (kMaxLatticeDegree + 1);
     using Line = Eigen::Array<double, kLength, 1, 0, kLongest, 1>;
@@ -141,7 +193,7 @@ private:
 
     const double* first(const TensorPoint& at) const
     {
-        return net_.values.data() + at.first[0] * components + at.first[1] * net_.line +
+        return net_.values.data() + std::ptrdiff_t{at.first[0]} * components + at.first[1] * net_.line +
                at.first[2] * net_.layer;
     }
 

@@ -3,6 +3,7 @@
 #include "libmorph/core/space_curve.h"
 #include "libmorph/deform/move_lattice.h"
 #include "libmorph/weights/embed.h"
+#include "libmorph/weights/lattice_weights.h"
 
 #include <benchmark/benchmark.h>
 
@@ -119,10 +120,29 @@ BENCHMARK(BM_Embed)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+void BM_LatticeWeights(benchmark::State& state)
+{
+    const auto dimension = static_cast<int>(state.range(0));
+    const Lattice lattice =
+        unit_lattice(dimension, LatticeBasis::bspline, static_cast<Index>(state.range(1)), 0);
+    const Points X = unit_points(dimension, Order::along_a_curve);
+    const Embedding embedding = embed(lattice, X);
+    SparseWeights weights;
+    for (auto _ : state)
+        weights = lattice_weights(lattice, embedding);
+    constexpr double kEntry = sizeof(double) + sizeof(Index);
+    state.counters["bytes_a_vertex"] = kEntry * static_cast<double>(weights.values.nonZeros()) / kPoints;
+    state.counters["dense_bytes"] = sizeof(double) * static_cast<double>(lattice.control_point_count());
+}
+BENCHMARK(BM_LatticeWeights)
+    ->ArgNames({"dimension", "points"})
+    ->ArgsProduct({{2, 3}, {4, 10, 20}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 void BM_LatticeTree(benchmark::State& state)
 {
-    const Lattice lattice =
-        unit_lattice(static_cast<int>(state.range(0)), LatticeBasis::bspline, 10, 0.3);
+    const Lattice lattice = unit_lattice(static_cast<int>(state.range(0)), LatticeBasis::bspline, 10, 0.3);
     for (auto _ : state)
         benchmark::DoNotOptimize(LatticeTree(lattice));
 }

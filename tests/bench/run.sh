@@ -7,6 +7,9 @@ for bench in "$build"/bench/*_bench; do
     "$bench" --benchmark_counters_tabular=true
 done
 
+echo "== the peer of lattice_bench in NumPy"
+python3 "$(dirname "$0")/full_length_passes.py"
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for vertices in 16000 100000 1000000 4000000; do

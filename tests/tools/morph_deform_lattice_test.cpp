@@ -134,7 +134,7 @@ MeshData strip_at_a_face(double h)
     for (double at = h; at < 1; at *= 2)
         x.push_back(at);
     const auto columns = static_cast<Index>(x.size());
-    strip.points = Points::Zero(3 * columns, 3);
+    strip.points = Points::Zero(Eigen::Index{3} * columns, 3);
     for (Index row = 0; row < 3; ++row)
         for (Index i = 0; i < columns; ++i)
             strip.points.row(row * columns + i) << x[static_cast<std::size_t>(i)], 0.4 + 0.1 * row, 0;
