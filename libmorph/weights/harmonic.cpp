@@ -3,10 +3,10 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/segment_tree.h"
+#include "libmorph/weights/held_vertices.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace morph {
 
@@ -18,44 +18,6 @@ constexpr std::size_t kGrain = 8192; // edges or vertices a thread takes at a ti
 // moving edge in a tangled mesh must not make g infinite. Boundary layers stay far above it.
 constexpr double kLeast = 1e-9;
 
-void require_valid(const Mesh& mesh, const HarmonicProblem& problem)
-{
-    if (mesh.dimension != 2)
-        throw InputError("harmonic weights need a planar mesh, but this is a surface in space");
-    const DirichletSet& held = problem.held;
-    if (static_cast<std::size_t>(held.values.rows()) != held.vertices.size())
-        throw InputError(std::to_string(held.values.rows()) + " rows of values are given for " +
-                         std::to_string(held.vertices.size()) + " held vertices");
-    const Index n = vertex_count(mesh);
-    const auto require_vertex = [n](Index v, const char* what) {
-        if (v < 0 || v >= n)
-            throw InputError(std::string(what) + " names vertex " + std::to_string(v) +
-                             ", but the mesh has " + std::to_string(n));
-    };
-    for (const Index v : held.vertices)
-        require_vertex(v, "the held set");
-    for (const auto& [a, b] : problem.moving_edges) {
-        require_vertex(a, "a moving edge");
-        require_vertex(b, "a moving edge");
-    }
-    if (!held.values.allFinite())
-        throw InputError("the held values are not all finite");
-}
-
-/// Vertex that stands for each vertex: the first copy of one that is split, else itself.
-std::vector<Index> representatives(const Numbering& numbering)
-{
-    std::vector<Index> of_file(static_cast<std::size_t>(numbering.file_vertices), -1);
-    std::vector<Index> representative(numbering.vertex.size());
-    for (std::size_t v = 0; v < representative.size(); ++v) {
-        Index& first = of_file[static_cast<std::size_t>(numbering.vertex[v])];
-        if (first < 0)
-            first = static_cast<Index>(v);
-        representative[v] = first;
-    }
-    return representative;
-}
-
 /// Let the copies of split vertices be one in the edges.
 void join_copies(const std::vector<Index>& representative, std::vector<WeightedEdge>& edges)
 {
@@ -64,27 +26,6 @@ void join_copies(const std::vector<Index>& representative, std::vector<WeightedE
         e.b = representative[static_cast<std::size_t>(e.b)];
     }
     std::erase_if(edges, [](const WeightedEdge& e) { return e.a == e.b; });
-}
-
-/// The held set with each split vertex once.
-DirichletSet join_copies(const Mesh& mesh, const std::vector<Index>& representative, const DirichletSet& held)
-{
-    DirichletSet joined{{}, Matrix(held.values.rows(), held.values.cols())};
-    std::vector<Index> row_of(representative.size(), -1);
-    for (std::size_t i = 0; i < held.vertices.size(); ++i) {
-        const Index v = representative[static_cast<std::size_t>(held.vertices[i])];
-        const auto row = static_cast<Index>(i);
-        Index& known = row_of[static_cast<std::size_t>(v)];
-        if (known < 0) {
-            known = static_cast<Index>(joined.vertices.size());
-            joined.values.row(known) = held.values.row(row);
-            joined.vertices.push_back(v);
-        } else if (joined.values.row(known) != held.values.row(row))
-            throw InputError("vertex " + std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]) +
-                             " is held twice with different values");
-    }
-    joined.values.conservativeResize(static_cast<Index>(joined.vertices.size()), Eigen::NoChange);
-    return joined;
 }
 
 double edge_length(const Eigen::Ref<const Points>& x, const WeightedEdge& e)
@@ -145,39 +86,61 @@ std::vector<double> mean_areas(const Mesh& mesh)
     return area;
 }
 
-std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HarmonicProblem& problem,
-                                         Diffusivity diffusivity)
+std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
 {
     Triangulation triangulation = triangulate(mesh);
-    cut_along(triangulation, problem.walls);
+    cut_along(triangulation, held.walls);
     make_delaunay(points(mesh), triangulation);
     std::vector<WeightedEdge> edges = stiffness_edges(points(mesh), triangulation);
     const auto x = points(mesh);
     const auto least = [&x](const WeightedEdge& e) { return kLeast * edge_length(x, e); };
     if (diffusivity == Diffusivity::inverse_distance)
-        divide_by_mean(distances(mesh, problem.moving_edges), least, edges);
+        divide_by_mean(distances(mesh, held.moving_edges), least, edges);
     if (diffusivity == Diffusivity::inverse_area)
         divide_by_mean(
             mean_areas(mesh), [&](const WeightedEdge& e) { return least(e) * least(e); }, edges);
     return edges;
 }
 
+DirichletProblem dirichlet_problem(const Mesh& mesh, const HeldBoundary& held, const HeldVertices& vertices,
+                                   Diffusivity diffusivity)
+{
+    std::vector<WeightedEdge> edges = weighted_edges(mesh, held, diffusivity);
+    join_copies(vertices.representatives(), edges);
+    return {points(mesh), edges, vertices.vertices()};
+}
+
+class HarmonicSpread final : public Spread {
+public:
+    HarmonicSpread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
+        : held_(mesh, held), problem_(dirichlet_problem(mesh, held, held_, diffusivity))
+    {
+    }
+
+    Matrix spread(const Matrix& values) const override
+    {
+        const Matrix joined = held_.join(values);
+        Matrix h = problem_.solve(joined);
+        held_.finish(joined, h);
+        return h;
+    }
+
+private:
+    HeldVertices held_;
+    DirichletProblem problem_;
+};
+
 } // namespace
+
+std::unique_ptr<Spread> harmonic_spread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
+{
+    return std::make_unique<HarmonicSpread>(mesh, held, diffusivity);
+}
 
 Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity)
 {
-    require_valid(mesh, problem);
-    std::vector<WeightedEdge> edges = weighted_edges(mesh, problem, diffusivity);
-    if (mesh.numbering.file_vertices == vertex_count(mesh))
-        return DirichletProblem(points(mesh), edges, problem.held.vertices).solve(problem.held.values);
-
-    const std::vector<Index> representative = representatives(mesh.numbering);
-    join_copies(representative, edges);
-    const DirichletSet held = join_copies(mesh, representative, problem.held);
-    Matrix h = DirichletProblem(points(mesh), edges, held.vertices).solve(held.values);
-    for (std::size_t v = 0; v < representative.size(); ++v)
-        h.row(static_cast<Index>(v)) = h.row(representative[v]);
-    return h;
+    const HeldBoundary held{problem.held.vertices, problem.moving_edges, problem.walls};
+    return HarmonicSpread(mesh, held, diffusivity).spread(problem.held.values);
 }
 
 } // namespace morph

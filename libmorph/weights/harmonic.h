@@ -2,8 +2,10 @@
 
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/numerics/dirichlet.h"
+#include "libmorph/weights/spread.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace morph {
@@ -22,8 +24,8 @@ struct HarmonicProblem {
     std::vector<std::array<Index, 2>> walls;        ///< edges inside the mesh that must stay
 };
 
-/// Harmonic weights: h = held.values at the held vertices and div(g grad h) = 0 in between, one column
-/// for each right-hand side [Joshi et al. 2007, ACM Transactions on Graphics 26(3), 71; Tavla 2021,
+/// Harmonic functions: the held values at the held vertices and div(g grad h) = 0 in between, one column for
+/// each right-hand side [Joshi et al. 2007, ACM Transactions on Graphics 26(3), 71; Tavla 2021,
 /// section 3.5; for the diffusivities: Jasak & Tukovic 2006, Transactions of FAMENA 30(2), 1-20].
 ///
 /// Linear finite elements on the constrained Delaunay triangulation of the mesh's vertices, quads cut in
@@ -36,9 +38,17 @@ struct HarmonicProblem {
 /// Copies of a split vertex are one unknown. A vertex of no element gets 0. Scaling or shifting the mesh
 /// changes the result by round-off only, and the number of threads not at all.
 ///
+/// The system is factored here; spread() solves. Later changes to @p mesh do not matter.
+///
+/// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
+///                      twice; a part of the mesh has no held vertex; inverse_distance without moving edges
+/// @throws SolverError  the system is singular
+std::unique_ptr<Spread> harmonic_spread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity);
+
+/// Harmonic weights: the harmonic_spread() of problem.held.values.
+///
 /// @return n x K
-/// @throws InputError   the mesh is a surface in space; the sizes in @p problem do not fit; a part of the
-///                      mesh has no held vertex; inverse_distance without moving edges
+/// @throws InputError   as harmonic_spread(); the sizes in @p problem do not fit
 /// @throws SolverError  the system has no finite solution
 Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity);
 

@@ -29,7 +29,8 @@ public:
 
     /// @param values  k x c, row i belongs to HeldBoundary::vertices[i]; columns do not influence each other
     /// @return n x c, equal to @p values at the held vertices; the same bytes for any number of threads
-    /// @throws InputError   @p values has another number of rows
+    /// @throws InputError   @p values has another number of rows, is not finite, or gives two copies of a
+    ///                      split vertex different values
     /// @throws SolverError  the result is not finite
     virtual Matrix spread(const Matrix& values) const = 0;
 };

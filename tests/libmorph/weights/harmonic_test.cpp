@@ -174,6 +174,19 @@ TEST_P(HarmonicWeightsFor, AnyNumberOfThreadsAreTheSameBytes)
     set_thread_count(0);
 }
 
+TEST_P(HarmonicWeightsFor, OneFactorisationServesFurtherRightHandSides)
+{
+    const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
+    const HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    const auto spread =
+        harmonic_spread(mesh, {problem.held.vertices, problem.moving_edges, problem.walls}, GetParam());
+    for (const double factor : {1.0, 3.0}) {
+        HarmonicProblem scaled = problem;
+        scaled.held.values = factor * problem.held.values.rightCols(2);
+        EXPECT_EQ(spread->spread(scaled.held.values), solve(mesh, scaled)) << factor;
+    }
+}
+
 TEST_P(HarmonicWeightsFor, ATangledMeshAreFiniteAndKeepTheirBounds)
 {
     std::mt19937 random(7);
@@ -321,6 +334,9 @@ TEST(HarmonicWeights, RefuseAProblemThatMakesNoSense)
     refuses(bad, Diffusivity::inverse_distance);
     bad.moving_edges.clear();
     refuses(bad, Diffusivity::inverse_distance);
+    bad = good;
+    bad.held.vertices[1] = bad.held.vertices[0];
+    refuses(bad, Diffusivity::uniform);
     mesh.dimension = 3;
     refuses(good, Diffusivity::uniform);
 }

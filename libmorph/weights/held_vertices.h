@@ -1,0 +1,44 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/spread.h"
+
+#include <array>
+#include <vector>
+
+namespace morph {
+
+/// The held vertices of a mesh, the copies of a split vertex taken as one: what every Spread begins and
+/// ends with.
+class HeldVertices {
+public:
+    /// @throws InputError  the mesh is a surface in space; @p held names a vertex the mesh does not have, or
+    ///                     one twice
+    HeldVertices(const Mesh& mesh, const HeldBoundary& held);
+
+    /// For each vertex the first copy of it: itself, unless it is split.
+    const std::vector<Index>& representatives() const { return representative_; }
+
+    /// h first copies, each once.
+    const std::vector<Index>& vertices() const { return vertices_; }
+
+    /// The values at vertices().
+    /// @param values  k x c, row i belongs to HeldBoundary::vertices[i]
+    /// @return h x c
+    /// @throws InputError  another number of rows; not finite; two copies of a vertex have different values
+    Matrix join(const Matrix& values) const;
+
+    /// Give the held vertices their values, and every copy the row of its first one.
+    /// @param joined  h x c, from join()
+    /// @param result  n x c
+    /// @throws SolverError  the result is not finite
+    void finish(const Matrix& joined, Matrix& result) const;
+
+private:
+    std::vector<Index> representative_;
+    std::vector<Index> vertices_;
+    std::vector<Index> file_number_; ///< of vertices_, for messages
+    std::vector<Index> row_;         ///< in vertices_, of each one of HeldBoundary::vertices
+};
+
+} // namespace morph
