@@ -1,7 +1,9 @@
-// The full quality report: time per mesh, against one pass of plain signed areas over the same elements.
+// The full quality report and the safe step: time per mesh, against one pass of plain signed areas over the
+// same elements.
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/quality/quality.h"
+#include "libmorph/quality/safe_step.h"
 #include "tests/bench/bench_meshes.h"
 
 #include <benchmark/benchmark.h>
@@ -38,6 +40,34 @@ void BM_QualityReportWithReference(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * element_count(mesh));
 }
 
+/// 0 a smooth move that turns nothing over, 1 a reflection that turns over two thirds of the elements, 2 half
+/// a turn, where all elements collapse at about the same time and rounding decides which is the first.
+Points moved(const Mesh& mesh, int move)
+{
+    Points after = points(mesh);
+    for (Index v = 0; v < after.rows(); ++v) {
+        const double x = after(v, 0), y = after(v, 1);
+        if (move == 0)
+            after.row(v) << x + 0.1 * x * y, y + 0.1, 0;
+        else if (move == 1)
+            after.row(v) << y, x * (1 - 1.5 * y), 0;
+        else
+            after.row(v) << 0.7 - x, 0.3 - y, 0;
+    }
+    return after;
+}
+
+void BM_SafeStep(benchmark::State& state)
+{
+    const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
+    const Points after = moved(mesh, static_cast<int>(state.range(2)));
+    set_thread_count(static_cast<int>(state.range(1)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(safe_step(mesh, points(mesh), after));
+    set_thread_count(0);
+    state.SetItemsProcessed(state.iterations() * element_count(mesh));
+}
+
 /// The peer: only the signed areas, which is what a check that cannot see dented quads computes.
 void BM_SignedAreas(benchmark::State& state)
 {
@@ -62,6 +92,13 @@ BENCHMARK(BM_QualityReport)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(BM_QualityReportWithReference)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_SafeStep)
+    ->Args({500000, 1, 0})
+    ->Args({500000, 2, 0})
+    ->Args({500000, 2, 1})
+    ->Args({500000, 2, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(BM_SignedAreas)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
