@@ -137,6 +137,8 @@ void warn_of_invalid_mesh(const DeformResult& result)
                         (result.diffusivity == "uniform"
                              ? "try diffusivity = \"inverse-distance\", or a smaller move"
                              : "try a smaller move"));
+    if (result.safe_step && result.safe_step->step > 0 && result.after && result.after->inverted > 0)
+        warn(kTool, safe_step_text(*result.safe_step));
 }
 
 /// Moves the mesh and looks at every element before and after.
@@ -148,6 +150,8 @@ void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, 
     result.seconds.apply = watch.lap();
     for (std::size_t b = 0; b < motion.curves.boundaries.size(); ++b)
         result.fits.push_back(boundary_fit(motion.curves, b, before, points(mesh)));
+    if (mesh.dimension == 2 && is_linear(file))
+        result.safe_step = safe_step(mesh, before, points(mesh));
     if (result.guard == "check") {
         result.crossings = boundary_crossings(motion.curves);
         result.before = quality_report(mesh, before);

@@ -183,6 +183,7 @@ TEST_F(LatticeCase, MovesTheBoundaryWhileHarmonicWeightsCarryTheMesh)
     for (const auto& edge : find_marker(mesh.markers, "farfield")->edges)
         EXPECT_EQ(by_both.row(edge[0]), before_.row(edge[0]));
     EXPECT_GT((by_both - by_ffd).norm(), 1e-3);
+    EXPECT_EQ(report()["safe_step"]["step"], 1);
 }
 
 TEST_F(LatticeCase, TurnedBoxesAndControlPointsInPlaceMakeTheSameLattice)
@@ -229,6 +230,7 @@ TEST_F(LatticeCase, MovesByWeightsOfItsControlPointsAsWell)
         EXPECT_NEAR(after(v, 0), 3 * x / (1 - x + 3 * x), 1e-13);
         EXPECT_NEAR(after(v, 1), before(v, 1), 1e-13);
     }
+    EXPECT_FALSE(report().contains("safe_step")); // the move is not linear in the weights
 }
 
 TEST_F(LatticeCase, DeformsSurfacesInSpace)

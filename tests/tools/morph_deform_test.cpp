@@ -145,6 +145,7 @@ TEST_P(MorphDeformRealMesh, CountsInvertedElementsAsAnIndependentCountDoes)
                                          counted.begin() +
                                              static_cast<long>(std::min<std::size_t>(counted.size(), 1000))));
     EXPECT_THAT(result.errors, HasSubstr("elements are inverted"));
+    EXPECT_THAT(result.errors, HasSubstr(" of this move is safe: element "));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -199,6 +200,30 @@ TEST_F(MorphDeform, IsLinearInTheDisplacements)
     const Points one = read_mesh_data(folder_.file("one.su2")).points - start.points;
     const Points half = read_mesh_data(folder_.file("half.su2")).points - start.points;
     EXPECT_LE((one - 2 * half).norm(), 1e-12 * start.points.norm());
+}
+
+TEST_F(MorphDeform, TellsHowMuchOfAMoveIsSafe)
+{
+    test::turn(file_, 40, {0.5, 0});
+    file_.diffusivity = "uniform";
+    const Points2 whole = file_.boundaries[0].displacements;
+    const auto report_with = [&](double part) {
+        file_.boundaries[0].displacements = part * whole;
+        run_tool("morph-deform",
+                 {write_case(), "-o", folder_.file("m.su2"), "--json", folder_.file("r.json")});
+        return report_of(folder_.file("r.json"));
+    };
+    const nlohmann::json safe = report_with(1)["safe_step"];
+    const double step = safe["step"];
+    ASSERT_GT(step, 0);
+    ASSERT_LT(step, 1);
+    // Coordinates that are rounded shift the step by little; 1e-9 of it leaves room for that.
+    const nlohmann::json below = report_with(step * (1 - 1e-9));
+    EXPECT_EQ(below["quality"]["after"]["inverted"], 0);
+    EXPECT_EQ(below["safe_step"]["step"], 1);
+    EXPECT_TRUE(below["safe_step"]["element"].is_null());
+    const nlohmann::json above = report_with(step * (1 + 1e-9));
+    EXPECT_EQ(above["quality"]["after"]["inverted_elements"], nlohmann::json::array({safe["element"]}));
 }
 
 TEST_F(MorphDeform, DoesNotLookAtTheResultWithGuardNone)

@@ -68,11 +68,6 @@ double fit_lattice(const Mesh& mesh, CaseMotion& motion)
     return (wanted - R * motion.displacements).rowwise().norm().maxCoeff();
 }
 
-bool reweighs(const CaseFile& file)
-{
-    return file.lattice && !file.lattice->moved_weights.empty();
-}
-
 /// With other weights of the control points the map is not linear in them.
 void move_reweighed(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
 {
@@ -144,7 +139,7 @@ CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::str
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion)
 {
     ControlOutcome outcome;
-    if (reweighs(file) && (file.method != "ffd" || !file.pulls.empty() || file.constraints))
+    if (!is_linear(file) && (file.method != "ffd" || !file.pulls.empty() || file.constraints))
         throw InputError(file.path + ":" + std::to_string(file.lattice->line) +
                          ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls and "
                          "constraints: the move is not linear in them");
@@ -163,9 +158,14 @@ ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion
     return outcome;
 }
 
+bool is_linear(const CaseFile& file)
+{
+    return !file.lattice || file.lattice->moved_weights.empty();
+}
+
 void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
 {
-    if (reweighs(file))
+    if (!is_linear(file))
         return move_reweighed(file, motion, positions);
     std::visit([&](const auto& filled) { apply_weights(filled, motion.displacements, positions); },
                motion.weights);

@@ -47,6 +47,10 @@ struct ControlOutcome {
 /// displacements.
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion);
 
+/// Whether the vertices move in proportion to the displacements: not under a lattice whose weights change
+/// too.
+bool is_linear(const CaseFile& file);
+
 /// Move the vertices.
 /// @param positions  n x 3, moved in place
 void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions);

@@ -2,6 +2,7 @@
 
 #include "tools/common/quality_json.h"
 
+#include <cmath>
 #include <utility>
 
 namespace morph::tools {
@@ -115,6 +116,22 @@ void describe_control(const ControlOutcome& control, Report& report)
         describe_constraints(*control.constrained, report);
 }
 
+/// At most 4 digits, and not above the value: a step that is told must be safe.
+double rounded_down(double value)
+{
+    if (value <= 0)
+        return 0;
+    const double digits = std::pow(10, 3 - std::floor(std::log10(value)));
+    return std::floor(value * digits) / digits;
+}
+
+void describe_safe_step(const SafeStep& safe, Report& report)
+{
+    report.json["safe_step"] = {{"step", safe.step},
+                                {"element", safe.step < 1 ? ordered_json(safe.element) : nullptr}};
+    report.say(safe.step < 1 ? safe_step_text(safe) : "all of this move is safe");
+}
+
 void describe_quality(const DeformResult& result, Report& report)
 {
     if (!result.before || !result.after)
@@ -134,6 +151,12 @@ void describe_quality(const DeformResult& result, Report& report)
 bool is_valid(const DeformResult& result)
 {
     return result.crossings.empty() && !(result.after && result.after->inverted > 0);
+}
+
+std::string safe_step_text(const SafeStep& safe)
+{
+    return "only " + short_number(rounded_down(safe.step)) + " of this move is safe: element " +
+           std::to_string(safe.element) + " turns over there";
 }
 
 void describe(const DeformResult& result, const CaseMotion& motion, Report& report)
@@ -158,6 +181,8 @@ void describe(const DeformResult& result, const CaseMotion& motion, Report& repo
         describe_lattice(*motion.lattice, report);
     describe_control(result.control, report);
     json["boundary_crossings"] = result.crossings;
+    if (result.safe_step)
+        describe_safe_step(*result.safe_step, report);
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);
     report.say("wrote " + result.output);

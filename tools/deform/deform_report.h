@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/quality/quality.h"
+#include "libmorph/quality/safe_step.h"
 #include "tools/common/report.h"
 #include "tools/deform/case_motion.h"
 
@@ -31,11 +32,15 @@ struct DeformResult {
     std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
     std::optional<QualityReport> before; ///< without guard = "none"
     std::optional<QualityReport> after;
+    std::optional<SafeStep> safe_step; ///< planar meshes, moves linear in the control points
     StageSeconds seconds;
 };
 
 /// Whether the moved mesh can be used: no inverted element, no boundary across itself or another.
 bool is_valid(const DeformResult& result);
+
+/// How much of the move is safe and what stops it, for a person; the number is rounded down.
+std::string safe_step_text(const SafeStep& safe);
 
 /// Put the result into the report, as JSON and as a summary.
 void describe(const DeformResult& result, const CaseMotion& motion, Report& report);
