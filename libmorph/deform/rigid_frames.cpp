@@ -1,0 +1,228 @@
+#include "libmorph/deform/rigid_frames.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/core/parallel.h"
+#include "libmorph/weights/held_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+namespace morph {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr std::size_t kGrain = 8192; // vertices a thread takes at a time
+
+// Where less than this part of the bodies arrives, pivots are no longer blended in full: the quotient of two
+// small numbers would blow up what a method leaves there. The angle is small there as well.
+constexpr double kLeastShare = 0.1;
+
+/// A moving edge: its ends as rows of the held vertices.
+using RowEdge = std::array<Index, 2>;
+
+/// Row of each vertex of the mesh among the held ones, -1 for others; copies of a split vertex share one.
+std::vector<Index> held_rows(const HeldVertices& vertices)
+{
+    const std::vector<Index>& representative = vertices.representatives();
+    std::vector<Index> row(representative.size(), -1);
+    for (std::size_t i = 0; i < vertices.vertices().size(); ++i)
+        row[static_cast<std::size_t>(vertices.vertices()[i])] = static_cast<Index>(i);
+    for (std::size_t v = 0; v < row.size(); ++v)
+        row[v] = row[static_cast<std::size_t>(representative[v])];
+    return row;
+}
+
+std::vector<RowEdge> moving_rows(const Mesh& mesh, const HeldBoundary& held, const std::vector<Index>& row_of)
+{
+    const auto row = [&](Index v) {
+        if (row_of[static_cast<std::size_t>(v)] < 0)
+            throw InputError("vertex " + std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]) +
+                             " is the end of a moving edge, but it is not held");
+        return row_of[static_cast<std::size_t>(v)];
+    };
+    std::vector<RowEdge> edges;
+    for (const auto& [a, b] : held.moving_edges)
+        edges.push_back({row(a), row(b)});
+    return edges;
+}
+
+/// The frames of the joined held vertices.
+class FrameFit {
+public:
+    FrameFit(const Eigen::Ref<const Points>& x, const std::vector<Index>& vertices,
+             const Matrix& displacement, const std::vector<RowEdge>& edges)
+        : neighbours_(vertices.size()), turn_(vertices.size()), lengths_(vertices.size())
+    {
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto row = static_cast<Index>(i);
+            before_.emplace_back(x(vertices[i], 0), x(vertices[i], 1));
+            shift_.emplace_back(displacement(row, 0), displacement(row, 1));
+        }
+        for (const auto& [a, b] : edges)
+            add_edge(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        frames_.angle.assign(vertices.size(), 0);
+        frames_.body.assign(vertices.size(), -1);
+    }
+
+    BoundaryFrames fit()
+    {
+        std::vector<Complex> pivots;
+        for (std::size_t i = 0; i < before_.size(); ++i)
+            if (!neighbours_[i].empty() && frames_.body[i] < 0)
+                pivots.push_back(fit_body(i, static_cast<Index>(pivots.size())));
+        frames_.pivot.resize(static_cast<Index>(pivots.size()), 2);
+        for (std::size_t b = 0; b < pivots.size(); ++b)
+            frames_.pivot.row(static_cast<Index>(b)) << pivots[b].real(), pivots[b].imag();
+        frames_.translation.resize(static_cast<Index>(before_.size()), 2);
+        for (std::size_t i = 0; i < before_.size(); ++i) {
+            Complex left = shift_[i];
+            if (const Index b = frames_.body[i]; b >= 0)
+                left -= (std::polar(1.0, frames_.angle[i]) - 1.0) *
+                        (before_[i] - pivots[static_cast<std::size_t>(b)]);
+            frames_.translation.row(static_cast<Index>(i)) << left.real(), left.imag();
+        }
+        return std::move(frames_);
+    }
+
+private:
+    void add_edge(std::size_t a, std::size_t b)
+    {
+        const Complex edge = before_[b] - before_[a];
+        const Complex turn = std::conj(edge) * ((before_[b] + shift_[b]) - (before_[a] + shift_[a]));
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+            neighbours_[from].push_back(static_cast<Index>(to));
+            turn_[from] += turn;
+            lengths_[from] += std::abs(edge);
+        }
+    }
+
+    /// The vertices connected with @p start by moving edges; each but the first follows a neighbour.
+    std::vector<std::pair<std::size_t, std::size_t>> connected(std::size_t start, Index body)
+    {
+        std::vector<std::pair<std::size_t, std::size_t>> found{{start, start}}; // vertex, whom it follows
+        frames_.body[start] = body;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (const Index next : neighbours_[found[i].first])
+                if (Index& known = frames_.body[static_cast<std::size_t>(next)]; known < 0) {
+                    known = body;
+                    found.emplace_back(next, found[i].first);
+                }
+        return found;
+    }
+
+    /// @return the pivot
+    Complex fit_body(std::size_t start, Index body)
+    {
+        const auto vertices = connected(start, body);
+        Complex whole = 0, moment = 0;
+        double length = 0;
+        for (const auto& [i, followed] : vertices) { // both ends count an edge: the mean is the same
+            whole += turn_[i];
+            moment += lengths_[i] * (before_[i] - before_[start]);
+            length += lengths_[i];
+        }
+        unwrap(vertices, whole);
+        return before_[start] + (length > 0 ? moment / length : Complex(0));
+    }
+
+    void unwrap(const std::vector<std::pair<std::size_t, std::size_t>>& vertices, const Complex& whole)
+    {
+        constexpr double kTurn = 2 * std::numbers::pi;
+        double mean = 0;
+        for (const auto& [i, followed] : vertices) {
+            const double last = frames_.angle[followed];
+            const Complex turn = turn_[i] * std::conj(whole);
+            const double angle = turn == Complex(0) ? last : std::arg(turn);
+            frames_.angle[i] = angle + kTurn * std::round((last - angle) / kTurn);
+            mean += frames_.angle[i] / static_cast<double>(vertices.size());
+        }
+        const double offset = (whole == Complex(0) ? 0 : std::arg(whole)) - kTurn * std::round(mean / kTurn);
+        for (const auto& [i, followed] : vertices)
+            frames_.angle[i] += offset;
+    }
+
+    std::vector<Complex> before_, shift_; ///< position and displacement of each vertex as complex numbers
+    std::vector<std::vector<Index>> neighbours_;
+    std::vector<Complex> turn_;   ///< sum over the edges there; its argument is the angle that fits best
+    std::vector<double> lengths_; ///< sum over the edges there
+    BoundaryFrames frames_;
+};
+
+/// What is spread: angle, translation, how much of the bodies arrives, and that times their pivot.
+Matrix frame_values(const BoundaryFrames& frames, const Eigen::RowVector2d& centre)
+{
+    Matrix values = Matrix::Zero(frames.translation.rows(), 6);
+    for (Index i = 0; i < values.rows(); ++i) {
+        values(i, 0) = frames.angle[static_cast<std::size_t>(i)];
+        values.row(i).segment<2>(1) = frames.translation.row(i);
+        if (const Index body = frames.body[static_cast<std::size_t>(i)]; body >= 0) {
+            values(i, 3) = 1;
+            values.row(i).tail<2>() = frames.pivot.row(body) - centre;
+        }
+    }
+    return values;
+}
+
+/// The displacement of every vertex from what has arrived there.
+Matrix rebuilt(const Eigen::Ref<const Points>& x, const Matrix& arrived, const Eigen::RowVector2d& centre)
+{
+    Matrix moved(x.rows(), 2);
+    parallel_for(static_cast<std::size_t>(x.rows()), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+            const auto a = arrived.row(v);
+            const Eigen::RowVector2d arm =
+                x.row(v).head<2>() - centre - a.tail<2>() / std::max(a[3], kLeastShare);
+            const double s = std::sin(a[0]), half = std::sin(a[0] / 2), versine = 2 * half * half;
+            moved(v, 0) = a[1] - versine * arm[0] - s * arm[1];
+            moved(v, 1) = a[2] + s * arm[0] - versine * arm[1];
+        }
+    });
+    return moved;
+}
+
+/// Rows of the joined vertices for all that are held.
+BoundaryFrames expanded(const BoundaryFrames& joined, const std::vector<Index>& held,
+                        const std::vector<Index>& row_of)
+{
+    BoundaryFrames frames{{}, Points2(static_cast<Index>(held.size()), 2), {}, joined.pivot};
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const Index row = row_of[static_cast<std::size_t>(held[i])];
+        frames.angle.push_back(joined.angle[static_cast<std::size_t>(row)]);
+        frames.body.push_back(joined.body[static_cast<std::size_t>(row)]);
+        frames.translation.row(static_cast<Index>(i)) = joined.translation.row(row);
+    }
+    return frames;
+}
+
+} // namespace
+
+BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+{
+    if (displacement.cols() != 2)
+        throw InputError("the displacement of the boundary has " + std::to_string(displacement.cols()) +
+                         " columns, expected x and y");
+    const HeldVertices vertices(mesh, held);
+    const std::vector<Index> row_of = held_rows(vertices);
+    FrameFit fit(points(mesh), vertices.vertices(), vertices.join(displacement),
+                 moving_rows(mesh, held, row_of));
+    return expanded(fit.fit(), held.vertices, row_of);
+}
+
+Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
+                             const Matrix& displacement)
+{
+    const BoundaryFrames frames = boundary_frames(mesh, held, displacement);
+    const bool moves = frames.pivot.rows() > 0;
+    const Eigen::RowVector2d centre = moves ? frames.pivot.colwise().mean() : Eigen::RowVector2d(0, 0);
+    Matrix moved = rebuilt(points(mesh), spread.spread(frame_values(frames, centre)), centre);
+    const HeldVertices vertices(mesh, held);
+    vertices.finish(vertices.join(displacement), moved);
+    return moved;
+}
+
+} // namespace morph

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/spread.h"
+
+#include <vector>
+
+namespace morph {
+
+/// How a boundary moves around each of its vertices: a turn by the angle about the pivot of the vertex's
+/// body, then a shift by the translation.
+struct BoundaryFrames {
+    std::vector<double> angle; ///< k, radians, may exceed half a turn; 0 where nothing moves
+    Points2 translation;       ///< k x 2, length unit of the mesh
+    std::vector<Index> body;   ///< k: which body; -1: not on a moving edge
+    Points2 pivot;             ///< of each body
+};
+
+/// The local rigid motion of a boundary.
+///
+/// A body is a connected piece of the moving edges, its pivot their centroid. The angle at a vertex is that
+/// of the rotation which fits the moving edges there, before and after, best in the least-squares sense [in
+/// the plane Kabsch 1976, Acta Crystallographica A32, 922-923, is the argument of one complex sum], so that
+/// at a sharp edge it lies between those of the two sides. It is followed from vertex to vertex without
+/// jumps, and its mean is within half a turn of the rotation that fits the whole body: a rigid turn by 120
+/// degrees is 120 degrees at every vertex. From where things end a turn by 200 degrees cannot be told from
+/// one by -160: a body turns by less than half a turn here, its parts by any angle against it. The
+/// translation is what the turn leaves of the vertex's displacement; away from moving edges it is the
+/// displacement.
+///
+/// @param displacement  k x 2, row i moves held.vertices[i]; length unit of the mesh
+/// @throws InputError  another number of rows or columns, not finite, or different for two copies of a split
+///                     vertex; a moving edge ends at a vertex that is not held; the mesh is a surface in
+///                     space
+BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement);
+
+/// Carry a boundary's displacement into the mesh together with its rotation.
+///
+/// Angle theta and translation t of boundary_frames() are spread like any other values, and each vertex moves
+/// to
+///
+///     x' = x + t(x) + (R(theta(x)) - I) (x - p(x)),
+///
+/// where p blends the pivots by how much of each body arrives at x. Near a body that moves rigidly the mesh
+/// moves rigidly with it, and what lies between bodies that move as one is carried along. The displacement
+/// itself, spread linearly, would shrink the mesh where rotations of different angle meet. Spreading
+/// rotations of a boundary is due to Samareh [2002, NASA/TM-2002-211646], in the plane his quaternions are
+/// angles.
+///
+/// Not linear: half the displacement does not give half the result.
+///
+/// @param spread  made of @p mesh and @p held
+/// @return n x 2, equal to @p displacement at the held vertices; the same bytes for any number of threads
+/// @throws InputError, SolverError  as boundary_frames() and Spread::spread()
+Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
+                             const Matrix& displacement);
+
+} // namespace morph
