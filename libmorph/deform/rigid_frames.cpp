@@ -55,8 +55,9 @@ std::vector<RowEdge> moving_rows(const Mesh& mesh, const HeldBoundary& held, con
 class FrameFit {
 public:
     FrameFit(const Eigen::Ref<const Points>& x, const std::vector<Index>& vertices,
-             const Matrix& displacement, const std::vector<RowEdge>& edges)
-        : neighbours_(vertices.size()), turn_(vertices.size()), lengths_(vertices.size())
+             const Matrix& displacement, const std::vector<RowEdge>& edges, double reach)
+        : reach_(reach), neighbours_(vertices.size()), turn_(vertices.size()), lengths_(vertices.size()),
+          seen_from_(vertices.size(), -1)
     {
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const auto row = static_cast<Index>(i);
@@ -93,11 +94,13 @@ private:
     void add_edge(std::size_t a, std::size_t b)
     {
         const Complex edge = before_[b] - before_[a];
-        const Complex turn = std::conj(edge) * ((before_[b] + shift_[b]) - (before_[a] + shift_[a]));
+        const Complex after = (before_[b] + shift_[b]) - (before_[a] + shift_[a]);
+        const double length = std::abs(edge);
+        const Complex turn = length > 0 ? std::conj(edge) * after / length : Complex(0);
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
             neighbours_[from].push_back(static_cast<Index>(to));
             turn_[from] += turn;
-            lengths_[from] += std::abs(edge);
+            lengths_[from] += length;
         }
     }
 
@@ -126,30 +129,56 @@ private:
             moment += lengths_[i] * (before_[i] - before_[start]);
             length += lengths_[i];
         }
+        const double reach = reach_ * length / 2;
+        for (const auto& [i, followed] : vertices)
+            frames_.angle[i] = argument(turn_around(i, reach) * std::conj(whole));
         unwrap(vertices, whole);
         return before_[start] + (length > 0 ? moment / length : Complex(0));
     }
 
+    /// The turn of the edges within @p reach along the boundary, the nearer the more.
+    Complex turn_around(std::size_t centre, double reach)
+    {
+        Complex sum = turn_[centre];
+        std::vector<std::pair<std::size_t, double>> found{{centre, 0.0}}; // vertex, how far it is
+        seen_from_[centre] = static_cast<Index>(centre);
+        for (std::size_t k = 0; k < found.size(); ++k)
+            for (const Index next : neighbours_[found[k].first]) {
+                const auto i = static_cast<std::size_t>(next);
+                const double distance = found[k].second + std::abs(before_[i] - before_[found[k].first]);
+                if (distance >= reach || seen_from_[i] == static_cast<Index>(centre))
+                    continue;
+                seen_from_[i] = static_cast<Index>(centre);
+                sum += (1 - distance / reach) * turn_[i];
+                found.emplace_back(i, distance);
+            }
+        return sum;
+    }
+
+    /// Angles against that of the whole body, at first within half a turn, become angles without jumps.
     void unwrap(const std::vector<std::pair<std::size_t, std::size_t>>& vertices, const Complex& whole)
     {
         constexpr double kTurn = 2 * std::numbers::pi;
         double mean = 0;
         for (const auto& [i, followed] : vertices) {
-            const double last = frames_.angle[followed];
-            const Complex turn = turn_[i] * std::conj(whole);
-            const double angle = turn == Complex(0) ? last : std::arg(turn);
-            frames_.angle[i] = angle + kTurn * std::round((last - angle) / kTurn);
-            mean += frames_.angle[i] / static_cast<double>(vertices.size());
+            double& angle = frames_.angle[i];
+            angle += kTurn * std::round((frames_.angle[followed] - angle) / kTurn);
+            mean += angle / static_cast<double>(vertices.size());
         }
-        const double offset = (whole == Complex(0) ? 0 : std::arg(whole)) - kTurn * std::round(mean / kTurn);
+        const double offset = argument(whole) - kTurn * std::round(mean / kTurn);
         for (const auto& [i, followed] : vertices)
             frames_.angle[i] += offset;
     }
 
+    /// 0 for the number 0, whatever the signs of its parts.
+    static double argument(const Complex& z) { return z == Complex(0) ? 0 : std::arg(z); }
+
+    double reach_;
     std::vector<Complex> before_, shift_; ///< position and displacement of each vertex as complex numbers
     std::vector<std::vector<Index>> neighbours_;
-    std::vector<Complex> turn_;   ///< sum over the edges there; its argument is the angle that fits best
-    std::vector<double> lengths_; ///< sum over the edges there
+    std::vector<Complex> turn_;    ///< sum over the edges there; its argument is the angle that fits best
+    std::vector<double> lengths_;  ///< sum over the edges there
+    std::vector<Index> seen_from_; ///< the last centre that turn_around() came from
     BoundaryFrames frames_;
 };
 
@@ -201,22 +230,26 @@ BoundaryFrames expanded(const BoundaryFrames& joined, const std::vector<Index>& 
 
 } // namespace
 
-BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+                               double reach)
 {
+    if (!(reach >= 0 && reach <= 1))
+        throw InputError("the reach of the boundary's rotation is " + std::to_string(reach) +
+                         ", but it must lie in [0, 1]");
     if (displacement.cols() != 2)
         throw InputError("the displacement of the boundary has " + std::to_string(displacement.cols()) +
                          " columns, expected x and y");
     const HeldVertices vertices(mesh, held);
     const std::vector<Index> row_of = held_rows(vertices);
     FrameFit fit(points(mesh), vertices.vertices(), vertices.join(displacement),
-                 moving_rows(mesh, held, row_of));
+                 moving_rows(mesh, held, row_of), reach);
     return expanded(fit.fit(), held.vertices, row_of);
 }
 
 Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
-                             const Matrix& displacement)
+                             const Matrix& displacement, double reach)
 {
-    const BoundaryFrames frames = boundary_frames(mesh, held, displacement);
+    const BoundaryFrames frames = boundary_frames(mesh, held, displacement, reach);
     const bool moves = frames.pivot.rows() > 0;
     const Eigen::RowVector2d centre = moves ? frames.pivot.colwise().mean() : Eigen::RowVector2d(0, 0);
     Matrix moved = rebuilt(points(mesh), spread.spread(frame_values(frames, centre)), centre);

@@ -16,23 +16,33 @@ struct BoundaryFrames {
     Points2 pivot;             ///< of each body
 };
 
+/// Reach of the angles of boundary_frames(): a tenth of the chord for an airfoil. The angles of single edges
+/// invert elements at the trailing edge of airfoils in tests/data when they become thrice as thick; from 0.02
+/// on none is inverted, and up to 0.2 waves of the length of the chord are followed.
+inline constexpr double kFrameReach = 0.05;
+
 /// The local rigid motion of a boundary.
 ///
 /// A body is a connected piece of the moving edges, its pivot their centroid. The angle at a vertex is that
-/// of the rotation which fits the moving edges there, before and after, best in the least-squares sense [in
-/// the plane Kabsch 1976, Acta Crystallographica A32, 922-923, is the argument of one complex sum], so that
-/// at a sharp edge it lies between those of the two sides. It is followed from vertex to vertex without
-/// jumps, and its mean is within half a turn of the rotation that fits the whole body: a rigid turn by 120
-/// degrees is 120 degrees at every vertex. From where things end a turn by 200 degrees cannot be told from
-/// one by -160: a body turns by less than half a turn here, its parts by any angle against it. The
-/// translation is what the turn leaves of the vertex's displacement; away from moving edges it is the
-/// displacement.
+/// of the rotation which fits the edges around it, before and after, best in the least-squares sense [Kabsch
+/// 1976, Acta Crystallographica A32, 922-923; in the plane the argument of one complex sum]: those within
+/// @p reach along the boundary, an edge by its length and the less the farther away. Without reach the mesh
+/// would fold over dents and sharp edges, where the angle jumps; with too much of it parts of a body that
+/// bends would not be followed.
+///
+/// Angles are followed from vertex to vertex without jumps, and their mean is within half a turn of the
+/// rotation that fits the whole body: a rigid turn by 120 degrees is 120 degrees at every vertex. From where
+/// things end a turn by 200 degrees cannot be told from one by -160: a body turns by less than half a turn
+/// here, its parts by any angle against it. The translation is what the turn leaves of the vertex's
+/// displacement; away from moving edges it is the displacement.
 ///
 /// @param displacement  k x 2, row i moves held.vertices[i]; length unit of the mesh
+/// @param reach         part of the length of the body, in [0, 1]
 /// @throws InputError  another number of rows or columns, not finite, or different for two copies of a split
-///                     vertex; a moving edge ends at a vertex that is not held; the mesh is a surface in
-///                     space
-BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement);
+///                     vertex; a bad reach; a moving edge ends at a vertex that is not held; the mesh is a
+///                     surface in space
+BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+                               double reach = kFrameReach);
 
 /// Carry a boundary's displacement into the mesh together with its rotation.
 ///
@@ -53,6 +63,6 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const
 /// @return n x 2, equal to @p displacement at the held vertices; the same bytes for any number of threads
 /// @throws InputError, SolverError  as boundary_frames() and Spread::spread()
 Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
-                             const Matrix& displacement);
+                             const Matrix& displacement, double reach = kFrameReach);
 
 } // namespace morph
