@@ -2,6 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
+#include "libmorph/quality/tally.h"
 
 #include <algorithm>
 #include <string>
@@ -62,6 +63,7 @@ private:
         ElementQuality q;
         q.inverted = is_inverted(shape);
         q.area = shape.area;
+        q.jacobian = shape.jacobian;
         q.min_jacobian = min_jacobian(shape);
         q.scaled_jacobian = scaled_jacobian(shape);
         q.min_angle = angles.min;
@@ -77,57 +79,14 @@ private:
     const PositionsView* reference_;
 };
 
-/// Sums and extremes over some elements.
-struct Tally {
-    Index triangles = 0;
-    Index negative_area = 0;
-    std::vector<Index> inverted;
-    double min_scaled_jacobian = 1;
-    double sum_scaled_jacobian = 0;
-    double min_angle = 360;
-    double max_angle = 0;
-    double max_aspect_ratio = 0;
-    double min_size_skew = 1;
-    double sum_size_skew = 0;
-
-    void add(Index face, int corners, const ElementQuality& q)
-    {
-        triangles += corners == 3 ? 1 : 0;
-        negative_area += q.area < 0 ? 1 : 0;
-        if (q.inverted)
-            inverted.push_back(face);
-        min_scaled_jacobian = std::min(min_scaled_jacobian, q.scaled_jacobian);
-        sum_scaled_jacobian += q.scaled_jacobian;
-        min_angle = std::min(min_angle, q.min_angle);
-        max_angle = std::max(max_angle, q.max_angle);
-        max_aspect_ratio = std::max(max_aspect_ratio, q.aspect_ratio);
-        min_size_skew = std::min(min_size_skew, q.size_skew);
-        sum_size_skew += q.size_skew;
-    }
-
-    void add(const Tally& other)
-    {
-        triangles += other.triangles;
-        negative_area += other.negative_area;
-        inverted.insert(inverted.end(), other.inverted.begin(), other.inverted.end());
-        min_scaled_jacobian = std::min(min_scaled_jacobian, other.min_scaled_jacobian);
-        sum_scaled_jacobian += other.sum_scaled_jacobian;
-        min_angle = std::min(min_angle, other.min_angle);
-        max_angle = std::max(max_angle, other.max_angle);
-        max_aspect_ratio = std::max(max_aspect_ratio, other.max_aspect_ratio);
-        min_size_skew = std::min(min_size_skew, other.min_size_skew);
-        sum_size_skew += other.sum_size_skew;
-    }
-};
-
-Tally tally(const ElementLoop& loop)
+QualityTally tally(const Mesh& mesh, const ElementLoop& loop)
 {
-    std::vector<Tally> partial(loop.blocks());
+    std::vector<QualityTally> partial(loop.blocks());
     loop.each([&](std::size_t block, Index face, int corners, const ElementQuality& q) {
-        partial[block].add(face, corners, q);
+        partial[block].add({mesh.numbering.element[static_cast<std::size_t>(face)], face, q}, corners);
     });
-    Tally total;
-    for (const Tally& part : partial)
+    QualityTally total;
+    for (const QualityTally& part : partial)
         total.add(part);
     return total;
 }
@@ -152,7 +111,7 @@ QualityReport report(const Mesh& mesh, const PositionsView& positions, const Pos
         report.size_skew.emplace();
     if (loop.elements() == 0)
         return report;
-    const Tally total = tally(loop);
+    const QualityTally total = tally(mesh, loop);
     const auto elements = static_cast<double>(loop.elements());
     report.triangles = total.triangles;
     report.quads = element_count(mesh) - total.triangles;
@@ -164,6 +123,9 @@ QualityReport report(const Mesh& mesh, const PositionsView& positions, const Pos
     report.min_angle = total.min_angle;
     report.max_angle = total.max_angle;
     report.max_aspect_ratio = total.max_aspect_ratio;
+    report.scaled_jacobian_counts = total.scaled_jacobian_counts;
+    report.min_angle_counts = total.min_angle_counts;
+    report.worst = total.worst;
     if (reference != nullptr)
         report.size_skew = SizeSkewSummary{total.min_size_skew, total.sum_size_skew / elements};
     return report;
@@ -199,7 +161,7 @@ std::vector<ElementQuality> element_quality(const Mesh& mesh, const PositionsVie
 
 std::vector<Index> inverted_elements(const Mesh& mesh, const PositionsView& positions)
 {
-    return tally(ElementLoop(mesh, positions, nullptr)).inverted;
+    return tally(mesh, ElementLoop(mesh, positions, nullptr)).inverted;
 }
 
 } // namespace morph

@@ -3,6 +3,7 @@
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/quality/metrics.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,29 @@ namespace morph {
 
 /// Positions of the vertices of a mesh, n x 3: the mesh's own, or where they are to go.
 using PositionsView = Eigen::Ref<const Points>;
+
+/// The metrics of one element; metrics.h says what each is.
+struct ElementQuality {
+    bool inverted = false;
+    double area = 0;
+    std::array<double, 4> jacobian{}; ///< of each corner; the fourth of a triangle is 0
+    double min_jacobian = 0;
+    double scaled_jacobian = 0;
+    double min_angle = 0;
+    double max_angle = 0;
+    double aspect_ratio = 0;
+    double size_skew = 0; ///< with a reference only
+};
+
+/// One of the worst elements of a mesh.
+struct WorstElement {
+    Index element = 0; ///< file number
+    Index face = 0;    ///< in the numbering of the mesh
+    ElementQuality quality;
+};
+
+/// How many of the worst elements a report has.
+inline constexpr std::size_t kWorstElements = 10;
 
 /// f_ss of all elements against a reference mesh, see size_skew().
 struct SizeSkewSummary {
@@ -31,6 +55,9 @@ struct QualityReport {
     double min_angle = 0; ///< degrees
     double max_angle = 0; ///< degrees
     double max_aspect_ratio = 0;
+    std::array<Index, 10> scaled_jacobian_counts{}; ///< elements not inverted, by tenths from 0 to 1
+    std::array<Index, 9> min_angle_counts{}; ///< elements not inverted, by tens of degrees from 0 to 90
+    std::vector<WorstElement> worst; ///< those of least scaled Jacobian, least first, then by file number
     std::optional<SizeSkewSummary> size_skew; ///< with a reference only
 };
 
@@ -48,18 +75,6 @@ QualityReport quality_report(const Mesh& mesh, const PositionsView& positions);
 /// @throws InputError  positions or reference has a wrong number of rows
 QualityReport quality_report(const Mesh& mesh, const PositionsView& positions,
                              const PositionsView& reference);
-
-/// The metrics of one element; metrics.h says what each is.
-struct ElementQuality {
-    bool inverted = false;
-    double area = 0;
-    double min_jacobian = 0;
-    double scaled_jacobian = 0;
-    double min_angle = 0;
-    double max_angle = 0;
-    double aspect_ratio = 0;
-    double size_skew = 0; ///< with a reference only
-};
 
 /// The metrics of every element (m entries, in the numbering of the mesh).
 /// @param reference  positions f_ss is against, or null

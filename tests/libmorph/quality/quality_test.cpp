@@ -4,12 +4,14 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/element_place.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace morph {
@@ -189,6 +191,74 @@ TEST(QualityReport, ListsAThousandInvertedElementsButCountsThemAll)
         EXPECT_EQ(report.inverted_elements[i], static_cast<Index>(i));
 }
 
+TEST(QualityReport, CountsElementsByScaledJacobianAndSmallestAngle)
+{
+    const Mesh mesh = build_mesh(mixed_square(100)); // several blocks of elements
+    const Points moved = shaken(points(mesh), 0.004, 5);
+    const QualityReport report = quality_report(mesh, moved);
+    for (std::size_t bin = 0; bin < 10; ++bin) {
+        Index expected = 0;
+        for (const ElementQuality& q : element_quality(mesh, moved))
+            expected += !q.inverted && std::floor(q.scaled_jacobian * 10) == static_cast<double>(bin) ? 1 : 0;
+        EXPECT_EQ(report.scaled_jacobian_counts[bin], expected) << bin;
+    }
+    for (std::size_t bin = 0; bin < 9; ++bin) {
+        Index expected = 0;
+        for (const ElementQuality& q : element_quality(mesh, moved))
+            expected += !q.inverted && std::floor(q.min_angle / 10) == static_cast<double>(bin) ? 1 : 0;
+        EXPECT_EQ(report.min_angle_counts[bin], expected) << bin;
+    }
+}
+
+TEST(QualityReport, CountsIdealElementsInTheLastBins)
+{
+    const QualityReport report = quality_report(build_mesh(test::quad_square(1)));
+    EXPECT_EQ(report.scaled_jacobian_counts.back(), 1);
+    EXPECT_EQ(report.min_angle_counts.back(), 1);
+}
+
+TEST(QualityReport, RanksTheWorstElementsOfAShuffledFile)
+{
+    const MeshData data = shuffled(mixed_square(100), 7);
+    const Mesh mesh = build_mesh(data);
+    const Points moved = in_mesh_order(mesh, shaken(data.points, 0.004, 5));
+    const auto all = element_quality(mesh, moved);
+    std::vector<std::pair<double, Index>> ranked;
+    for (std::size_t f = 0; f < all.size(); ++f)
+        ranked.emplace_back(all[f].scaled_jacobian, mesh.numbering.element[f]);
+    std::sort(ranked.begin(), ranked.end());
+    const QualityReport report = quality_report(mesh, moved);
+    ASSERT_EQ(report.worst.size(), kWorstElements);
+    for (std::size_t i = 0; i < kWorstElements; ++i) {
+        EXPECT_EQ(report.worst[i].element, ranked[i].second);
+        EXPECT_EQ(report.worst[i].quality.scaled_jacobian, ranked[i].first);
+        EXPECT_EQ(mesh.numbering.element[static_cast<std::size_t>(report.worst[i].face)], ranked[i].second);
+    }
+}
+
+TEST(QualityReport, RanksEquallyBadElementsByTheirNumber)
+{
+    const Mesh mesh = build_mesh(shuffled(test::quad_square(100), 3));
+    const QualityReport report = quality_report(mesh, Points::Zero(vertex_count(mesh), 3));
+    for (std::size_t i = 0; i < kWorstElements; ++i)
+        EXPECT_EQ(report.worst.at(i).element, static_cast<Index>(i));
+}
+
+TEST(ElementQuality, HasTheJacobianOfEveryCorner)
+{
+    MeshData data = test::quad_square(1);
+    data.points.row(2) = Eigen::RowVector3d(0.5, 0.25, 0); // whichever corner: found again below
+    const Mesh mesh = build_mesh(data);
+    const Element element = element_corners(mesh, 0);
+    const ElementQuality q = element_quality(mesh, points(mesh)).at(0);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::RowVector3d corner = points(mesh).row(element[k]);
+        const Eigen::RowVector3d next = points(mesh).row(element[(k + 1) % 4]) - corner;
+        const Eigen::RowVector3d previous = points(mesh).row(element[(k + 3) % 4]) - corner;
+        EXPECT_DOUBLE_EQ(q.jacobian[k], next.x() * previous.y() - next.y() * previous.x());
+    }
+}
+
 TEST(QualityReport, IsTheSameForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(mixed_square(150));
@@ -201,6 +271,8 @@ TEST(QualityReport, IsTheSameForAnyNumberOfThreads)
         EXPECT_EQ(one.mean_scaled_jacobian, many.mean_scaled_jacobian);
         EXPECT_EQ(one.size_skew->mean, many.size_skew->mean);
         EXPECT_EQ(one.inverted_elements, many.inverted_elements);
+        EXPECT_EQ(one.scaled_jacobian_counts, many.scaled_jacobian_counts);
+        EXPECT_EQ(one.worst.back().element, many.worst.back().element);
     }
     set_thread_count(0);
 }
@@ -215,12 +287,37 @@ TEST(QualityReport, OfAMeshWithoutElementsIsAllZero)
     EXPECT_EQ(report.min_angle, 0);
 }
 
+TEST(ElementPlace, IsTheMeanOfTheCornersWithTheNearestMarker)
+{
+    MeshData data = test::quad_square(4);
+    const Mesh mesh = build_mesh(data);
+    for (Index face = 0; face < element_count(mesh); ++face) {
+        const auto place = element_place(mesh, points(mesh), face);
+        EXPECT_EQ(place.corners, 4);
+        const double x = place.centroid.x(), y = place.centroid.y();
+        EXPECT_DOUBLE_EQ(place.marker_distance,
+                         std::min({x, y, 1 - x, 1 - y})); // the sides of the unit square
+        const std::map<std::string, double> sides{
+            {"bottom", y}, {"right", 1 - x}, {"top", 1 - y}, {"left", x}};
+        EXPECT_DOUBLE_EQ(sides.at(place.nearest_marker), place.marker_distance);
+    }
+}
+
+TEST(ElementPlace, HasNoMarkerInAMeshWithoutAny)
+{
+    MeshData data = test::uneven_square(1);
+    data.markers.clear();
+    const Mesh mesh = build_mesh(data);
+    EXPECT_EQ(element_place(mesh, points(mesh), 0).nearest_marker, "");
+}
+
 TEST(QualityReport, RefusesPositionsOfAnotherMesh)
 {
     const Mesh mesh = build_mesh(test::uneven_square(2));
     EXPECT_THROW(quality_report(mesh, Points::Zero(8, 3)), InputError);
     EXPECT_THROW(quality_report(mesh, points(mesh), Points::Zero(10, 3)), InputError);
     EXPECT_THROW(element_quality(mesh, Points::Zero(8, 3)), InputError);
+    EXPECT_THROW(element_place(mesh, Points::Zero(8, 3), 0), InputError);
 }
 
 } // namespace
