@@ -39,6 +39,8 @@ const std::vector<Layer>& layers()
         {"libmorph/weights", low},
         {"libmorph/deform", with_weights},
         {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
+        {"libmorph/untangle",
+         {"libmorph/core", "libmorph/mesh", "libmorph/geometry", "libmorph/numerics", "libmorph/quality"}},
         {"formats", base},
         {"tools", {"libmorph", "formats"}},
     };

@@ -1,0 +1,158 @@
+#include "libmorph/untangle/newton.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/numerics/sparse_cholesky.h"
+#include "libmorph/untangle/patch_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace morph {
+
+namespace {
+
+constexpr double kLeastEps = 1e-9;  // corners of at least so much of their target's area feel no eps
+constexpr double kLeastFall = 0.3;  // by which eps falls when the energy does not
+constexpr double kLeastStep = 1e-9; // part of a Newton step
+constexpr double kArmijo = 1e-4;    // part of the promised fall that a step must bring
+constexpr double kSettled = 1e-4;   // relative fall of the energy below which a step is the last
+constexpr double kShift = 1e-9;     // on the diagonal: a patch that nothing holds may turn
+
+Points2 places_of_unknowns(const Patch& patch, const PlanePositions& x)
+{
+    Points2 where(2 * patch.free, 2);
+    for (Index v = 0; v < patch.free; ++v) {
+        const std::complex<double> p = x[static_cast<std::size_t>(v)];
+        where.row(2 * v) << p.real(), p.imag();
+        where.row(2 * v + 1) = where.row(2 * v);
+    }
+    return where;
+}
+
+/// Minus the solution of the model, and how fast the energy falls along it.
+struct Direction {
+    PlanePositions d;
+    double slope = 0;
+};
+
+Matrix descent(const PlanePositions& gradient)
+{
+    Matrix right(2 * static_cast<Index>(gradient.size()), 1);
+    for (std::size_t v = 0; v < gradient.size(); ++v) {
+        right(2 * static_cast<Index>(v), 0) = -gradient[v].real();
+        right(2 * static_cast<Index>(v) + 1, 0) = -gradient[v].imag();
+    }
+    return right;
+}
+
+/// Corners of very different energies can leave a matrix that is indefinite by rounding: more on the diagonal
+/// mends it.
+Matrix solve_shifted(PatchEnergy::Model& model, const Dissection& dissection)
+{
+    double shift = kShift;
+    for (;;) {
+        for (double& entry : model.second.diagonal)
+            entry *= 1 + shift;
+        try {
+            Matrix right = descent(model.gradient);
+            SparseCholesky(model.second, dissection).solve(right);
+            return right;
+        } catch (const SolverError&) {
+            shift *= 100;
+            if (shift > 1)
+                throw;
+        }
+    }
+}
+
+Direction newton_direction(PatchEnergy::Model& model, const Dissection& dissection)
+{
+    const Matrix solution = solve_shifted(model, dissection);
+    Direction direction{PlanePositions(model.gradient.size()), 0};
+    for (std::size_t v = 0; v < direction.d.size(); ++v) {
+        const auto row = 2 * static_cast<Index>(v);
+        direction.d[v] = {solution(row, 0), solution(row + 1, 0)};
+        direction.slope += std::real(std::conj(model.gradient[v]) * direction.d[v]);
+    }
+    return direction;
+}
+
+/// The paper's rule: eps shrinks as fast as the energy has fallen, and is gone once no corner needs it.
+double next_eps(double eps, double least, double fall)
+{
+    const double sigma = std::max(kLeastFall, fall);
+    const double mu = (1 - sigma) * regularized(least, eps);
+    return least < mu ? std::max(kLeastEps, 2 * std::sqrt(mu * (mu - least))) : kLeastEps;
+}
+
+class Minimizer {
+public:
+    Minimizer(const Patch& patch, const EnergyWeights& weights, PlanePositions& x)
+        : patch_(patch), energy_(patch, weights), x_(x), trial_(x)
+    {
+        least_ = energy_.value(x, 1).min_determinant;
+        positive_ = least_ > 0;
+        eps_ = std::max(kLeastEps, -least_);
+    }
+
+    bool positive() const { return positive_; }
+
+    /// One Newton step; false when it was the last that is worth while.
+    bool step()
+    {
+        PatchEnergy::Model model = energy_.model(x_, eps_);
+        if (dissection_.order.empty())
+            dissection_ = nested_dissection(model.second, places_of_unknowns(patch_, x_));
+        const double fall = search(newton_direction(model, dissection_));
+        positive_ = positive_ || least_ > 0;
+        if (eps_ == kLeastEps && fall < kSettled)
+            return false;
+        eps_ = next_eps(eps_, least_, fall);
+        return true;
+    }
+
+private:
+    /// Go along a direction until the energy falls as it should; returns the part of it that is gone.
+    double search(const Direction& direction)
+    {
+        const double before = energy_.value(x_, eps_).energy;
+        for (double step = 1; step > kLeastStep; step *= 0.5) {
+            for (std::size_t v = 0; v < direction.d.size(); ++v)
+                trial_[v] = x_[v] + step * direction.d[v];
+            const PatchEnergy::Value there = energy_.value(trial_, eps_);
+            if (there.energy > before + kArmijo * step * direction.slope ||
+                (positive_ && there.min_determinant <= 0))
+                continue;
+            x_.swap(trial_);
+            least_ = there.min_determinant;
+            return 1 - there.energy / before;
+        }
+        return 0;
+    }
+
+    const Patch& patch_;
+    PatchEnergy energy_;
+    PlanePositions& x_;
+    PlanePositions trial_;
+    Dissection dissection_;
+    double eps_ = 0;
+    double least_ = 0; // determinant of all corners, as in PatchEnergy::Value
+    bool positive_ = false;
+};
+
+} // namespace
+
+PatchResult minimize(const Patch& patch, const EnergyWeights& weights, int max_iterations, PlanePositions& x)
+{
+    Minimizer minimizer(patch, weights, x);
+    PatchResult result;
+    while (result.iterations < max_iterations) {
+        ++result.iterations;
+        if (!minimizer.step())
+            break;
+    }
+    result.positive = minimizer.positive();
+    return result;
+}
+
+} // namespace morph

@@ -1,0 +1,39 @@
+#include "libmorph/untangle/stars.h"
+
+namespace morph {
+
+namespace {
+
+std::vector<Index> first_copies(const Numbering& numbering)
+{
+    std::vector<Index> of_file(static_cast<std::size_t>(numbering.file_vertices), -1);
+    std::vector<Index> first(numbering.vertex.size());
+    for (std::size_t v = 0; v < first.size(); ++v) {
+        Index& known = of_file[static_cast<std::size_t>(numbering.vertex[v])];
+        if (known < 0)
+            known = static_cast<Index>(v);
+        first[v] = known;
+    }
+    return first;
+}
+
+} // namespace
+
+Stars::Stars(const Mesh& mesh)
+    : vertex_of(first_copies(mesh.numbering)), elements(element_table(mesh)), start(vertex_of.size() + 1)
+{
+    for (Element& element : elements)
+        for (Index& v : element)
+            if (v >= 0)
+                ++start[static_cast<std::size_t>(v = vertex_of[static_cast<std::size_t>(v)]) + 1];
+    for (std::size_t v = 1; v < start.size(); ++v)
+        start[v] += start[v - 1];
+    around.resize(start.back());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for (std::size_t f = 0; f < elements.size(); ++f)
+        for (const Index v : elements[f])
+            if (v >= 0)
+                around[next[static_cast<std::size_t>(v)]++] = static_cast<Index>(f);
+}
+
+} // namespace morph

@@ -1,0 +1,184 @@
+#include "libmorph/untangle/untangle.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/core/parallel.h"
+#include "libmorph/geometry/predicates.h"
+#include "libmorph/untangle/fresh_start.h"
+#include "libmorph/untangle/newton.h"
+#include "libmorph/untangle/patch.h"
+
+#include <algorithm>
+#include <string>
+
+namespace morph {
+
+namespace {
+
+constexpr int kGrowths = 2;    // sizes of patches that are tried before the whole mesh is
+constexpr int kWholeMesh = -1; // rings
+
+std::size_t at(Index i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+void require_rows(const Mesh& mesh, const PositionsView& x, const char* what)
+{
+    if (x.rows() != vertex_count(mesh))
+        throw InputError(std::string(what) + " has " + std::to_string(x.rows()) + " rows, but the mesh has " +
+                         std::to_string(vertex_count(mesh)) + " vertices");
+    if (!x.allFinite())
+        throw InputError(std::string(what) + " is not finite everywhere");
+}
+
+void require_valid(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
+                   const PositionsView& positions)
+{
+    if (mesh.dimension != 2)
+        throw InputError("untangling needs a planar mesh, but this is a surface in space");
+    require_rows(mesh, reference, "the matrix of reference positions");
+    require_rows(mesh, positions, "the matrix of positions");
+    for (const Index v : held)
+        if (v < 0 || v >= vertex_count(mesh))
+            throw InputError("held vertex " + std::to_string(v) + " is out of range, there are " +
+                             std::to_string(vertex_count(mesh)) + " vertices");
+}
+
+class Untangler {
+public:
+    Untangler(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
+              Eigen::Ref<Points> positions, const UntangleOptions& options)
+        : mesh_(mesh), stars_(mesh), reference_(reference), positions_(positions), options_(options),
+          held_(at(vertex_count(mesh)))
+    {
+        for (const Index v : held)
+            held_[at(stars_.vertex_of[at(v)])] = 1;
+    }
+
+    void run(UntangleResult& result)
+    {
+        const std::vector<Index> first = mendable(result);
+        int rings = grow_patches(result);
+        if (!mendable(result).empty()) {
+            const Points before = positions_;
+            const std::size_t inverted = result.inverted.size();
+            start_afresh(result);
+            rings = grow_patches(result);
+            if (!mendable(result).empty())
+                repair(find_patches(stars_, held_, {}, kWholeMesh), result);
+            if (result.inverted.size() > inverted) {
+                positions_ = before;
+                certify(result);
+            }
+        }
+        if (mendable(result).empty())
+            repair(find_patches(stars_, held_, first, rings), result);
+    }
+
+    void certify(UntangleResult& result) const
+    {
+        result.inverted = inverted_elements(mesh_, positions_);
+        result.hopeless.clear();
+        std::copy_if(result.inverted.begin(), result.inverted.end(), std::back_inserter(result.hopeless),
+                     [&](Index f) { return is_hopeless(stars_.elements[at(f)]); });
+        result.valid = result.inverted.empty();
+    }
+
+private:
+    /// Repair patches of more and more rings; returns the number that comes next.
+    int grow_patches(UntangleResult& result)
+    {
+        int rings = options_.rings;
+        for (int growth = 0; growth < kGrowths && !mendable(result).empty(); ++growth, rings *= 2)
+            repair(find_patches(stars_, held_, mendable(result), rings), result);
+        return rings;
+    }
+
+    /// Forget where the free vertices are.
+    void start_afresh(UntangleResult& result)
+    {
+        if (const auto start = fresh_start(mesh_, stars_, reference_, held_, positions_)) {
+            positions_ = *start;
+            certify(result);
+        }
+    }
+
+    std::vector<Index> mendable(const UntangleResult& result) const
+    {
+        std::vector<Index> list;
+        std::set_difference(result.inverted.begin(), result.inverted.end(), result.hopeless.begin(),
+                            result.hopeless.end(), std::back_inserter(list));
+        return list;
+    }
+
+    PlanePoint point(Index v) const { return {positions_(v, 0), positions_(v, 1)}; }
+
+    bool is_hopeless(const Element& element) const
+    {
+        const auto n = static_cast<std::size_t>(corner_count(element));
+        for (std::size_t k = 0; k < n; ++k) {
+            const Index a = element[k], b = element[(k + 1) % n], c = element[(k + n - 1) % n];
+            if (held_[at(a)] && held_[at(b)] && held_[at(c)] &&
+                orientation(point(a), point(b), point(c)) <= 0)
+                return true;
+        }
+        return false;
+    }
+
+    void repair(std::vector<Patch> patches, UntangleResult& result)
+    {
+        std::vector<int> iterations(patches.size());
+        parallel_for(patches.size(), 1,
+                     [&](std::size_t i, std::size_t) { iterations[i] = repair(patches[i]); });
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            result.patch_vertices += patches[i].free;
+            result.iterations += iterations[i];
+        }
+        for (std::size_t v = 0; v < held_.size(); ++v)
+            if (const Index first = stars_.vertex_of[v]; first != static_cast<Index>(v) && !held_[at(first)])
+                positions_.row(static_cast<Index>(v)) = positions_.row(first);
+        certify(result);
+    }
+
+    /// Move the free vertices of a patch if that repairs it.
+    int repair(Patch& patch)
+    {
+        set_targets(patch, stars_, reference_);
+        PlanePositions x;
+        for (const Index v : patch.vertices)
+            x.emplace_back(positions_(v, 0), positions_(v, 1));
+        const PatchResult outcome =
+            minimize(patch, {options_.size, options_.exponent}, options_.iterations, x);
+        for (Index i = 0; outcome.positive && i < patch.free; ++i) {
+            positions_(patch.vertices[at(i)], 0) = x[at(i)].real();
+            positions_(patch.vertices[at(i)], 1) = x[at(i)].imag();
+        }
+        return outcome.iterations;
+    }
+
+    const Mesh& mesh_;
+    Stars stars_;
+    const PositionsView& reference_;
+    Eigen::Ref<Points> positions_;
+    const UntangleOptions& options_;
+    std::vector<char> held_; // by the vertex that stands for it
+};
+
+} // namespace
+
+UntangleResult untangle(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
+                        Eigen::Ref<Points> positions, const UntangleOptions& options)
+{
+    require_valid(mesh, reference, held, positions);
+    UntangleResult result;
+    result.inverted = inverted_elements(mesh, positions);
+    result.valid = result.inverted.empty();
+    if (result.valid)
+        return result;
+    Untangler untangler(mesh, reference, held, positions, options);
+    untangler.certify(result);
+    untangler.run(result);
+    return result;
+}
+
+} // namespace morph
