@@ -2,6 +2,7 @@
 //   morph-deform examples/01_thesis_case1/case.toml -o deformed.vtu --json report.json
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 #include "libmorph/deform/gradient.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/weights/weight_fields.h"
@@ -10,6 +11,9 @@
 #include "tools/common/run.h"
 #include "tools/deform/deform_report.h"
 #include "tools/deform/gradient_file.h"
+#include "tools/deform/untangle_moved.h"
+
+#include <algorithm>
 
 namespace {
 
@@ -40,11 +44,11 @@ void add_options(CommandLine& line, Options& options)
     app.add_option("-o,--output", options.output, "The moved mesh (wins over [output] mesh)")
         ->type_name("OUT");
     app.add_option("--method", options.method,
-                   "How control points move the mesh: harmonic or ffd (wins over [deform])")
-        ->check(CLI::IsMember({"harmonic", "ffd"}));
+                   "How control points move the mesh: " + joined(move_methods()) + " (wins over [deform])")
+        ->check(CLI::IsMember(move_methods()));
     app.add_option("--diffusivity", options.diffusivity,
                    "uniform, inverse-distance or inverse-area (wins over [deform])")
-        ->check(CLI::IsMember({"uniform", "inverse-distance", "inverse-area"}));
+        ->check(CLI::IsMember(diffusivities()));
     app.add_option("--weights", options.weights,
                    "Take the weights from this file instead of solving for them")
         ->type_name("W.vtu");
@@ -58,8 +62,8 @@ void add_options(CommandLine& line, Options& options)
         ->type_name("dJdX.csv");
     app.add_option("--guard", options.guard,
                    "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
-                   "are any; none: do not look")
-        ->check(CLI::IsMember({"none", "check"}));
+                   "are any; untangle: repair inverted elements first; none: do not look")
+        ->check(CLI::IsMember(guards()));
     line.add_from(options.from);
     line.add_to(options.to);
 }
@@ -71,9 +75,9 @@ CaseFile case_with_options(const Options& options)
         if (!option.empty())
             setting = option;
     };
-    take(options.method, file.method);
-    take(options.diffusivity, file.diffusivity);
-    take(options.guard, file.guard);
+    take(options.method, file.deform.method);
+    take(options.diffusivity, file.deform.diffusivity);
+    take(options.guard, file.deform.guard);
     take(options.output, file.output_mesh);
     if (!options.gradient.empty() && options.output.empty())
         throw UsageError("where should the derivatives by the control points go? give -o OUT.csv");
@@ -85,9 +89,9 @@ CaseFile case_with_options(const Options& options)
 DeformResult result_for(const CaseFile& file)
 {
     DeformResult result;
-    result.method = file.method;
-    result.diffusivity = file.diffusivity;
-    result.guard = file.guard;
+    result.method = file.deform.method;
+    result.diffusivity = file.deform.diffusivity;
+    result.guard = file.deform.guard;
     result.output = file.output_mesh;
     return result;
 }
@@ -124,6 +128,16 @@ void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, 
     fields.swap(mesh.fields);
 }
 
+std::string advice(const DeformResult& result)
+{
+    if (result.untangled && !result.untangled->hopeless.empty())
+        return "element " + std::to_string(result.untangled->hopeless[0]) +
+               " has all its vertices on the boundary, so that no position of the others can mend it";
+    if (result.untangled)
+        return "try steps = \"auto\" with rotations = true, or a smaller move";
+    return "try guard = \"untangle\"";
+}
+
 void warn_of_invalid_mesh(const DeformResult& result)
 {
     for (const std::string& crossing : result.crossings)
@@ -133,12 +147,22 @@ void warn_of_invalid_mesh(const DeformResult& result)
                         " inverted elements before the move already");
     if (result.after && result.after->inverted > 0)
         warn(kTool, result.output + ": " + std::to_string(result.after->inverted) +
-                        " of its elements are inverted; " +
-                        (result.diffusivity == "uniform"
-                             ? "try diffusivity = \"inverse-distance\", or a smaller move"
-                             : "try a smaller move"));
+                        " of its elements are inverted; " + advice(result));
     if (result.safe_step && result.safe_step->step > 0 && result.after && result.after->inverted > 0)
         warn(kTool, safe_step_text(*result.safe_step));
+}
+
+void repair(Mesh& mesh, const Points& before, DeformResult& result)
+{
+    result.tangled = static_cast<Index>(inverted_elements(mesh, points(mesh)).size());
+    if (result.tangled == 0)
+        return;
+    result.untangled = untangle_moved(mesh, before);
+    for (std::vector<Index>* list : {&result.untangled->inverted, &result.untangled->hopeless}) {
+        for (Index& element : *list)
+            element = mesh.numbering.element[static_cast<std::size_t>(element)];
+        std::sort(list->begin(), list->end());
+    }
 }
 
 /// Moves the mesh and looks at every element before and after.
@@ -146,14 +170,16 @@ void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, 
 {
     Stopwatch watch;
     const Points before = points(mesh);
-    apply_motion(file, motion, points(mesh));
+    result.steps = apply_motion(mesh, file, motion, points(mesh));
     result.seconds.apply = watch.lap();
     for (std::size_t b = 0; b < motion.curves.boundaries.size(); ++b)
         result.fits.push_back(boundary_fit(motion.curves, b, before, points(mesh)));
     if (mesh.dimension == 2 && is_linear(file))
         result.safe_step = safe_step(mesh, before, points(mesh));
-    if (result.guard == "check") {
+    if (result.guard != "none") {
         result.crossings = boundary_crossings(motion.curves);
+        if (result.guard == "untangle" && result.crossings.empty())
+            repair(mesh, before, result);
         result.before = quality_report(mesh, before);
         result.after = quality_report(mesh);
     }
@@ -172,6 +198,10 @@ void stage_gradient(const Options& options, const Mesh& mesh, const CaseMotion& 
 
 CaseMotion prepared_motion(const Mesh& mesh, const CaseFile& file, const Options& options)
 {
+    if (!is_linear(file) && (!options.gradient.empty() || !options.save_weights.empty()))
+        throw InputError(file.path +
+                         ": the move is not linear in the control points, so it has no weights to "
+                         "save and no gradient");
     CaseMotion motion = prepare_motion(mesh, file, options.weights);
     for (const std::string& warning : placement_warnings(motion.curves))
         warn(kTool, warning);

@@ -145,6 +145,21 @@ std::vector<double> let_slide(const std::vector<double>& start, const std::vecto
     return end;
 }
 
+/// A held boundary, its displacement, and the rows of its vertices.
+struct Held {
+    HeldBoundary boundary;
+    Matrix displacement;
+    std::map<Index, Index> row;
+
+    void add(Index v, const Eigen::RowVector2d& move)
+    {
+        row[v] = static_cast<Index>(boundary.vertices.size());
+        boundary.vertices.push_back(v);
+        displacement.conservativeResize(displacement.rows() + 1, 2);
+        displacement.bottomRows<1>() = move;
+    }
+};
+
 class Sliding {
 public:
     Sliding(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
@@ -164,44 +179,42 @@ public:
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const bool end = !result.chain.closed && (i == 0 || i + 1 == vertices.size());
             result.slides.push_back(!end && markers_at_.at(vertices[i]) == 1);
-            if (!row_.contains(vertices[i]))
-                throw InputError("marker '" + sliding.name +
-                                 "' slides, but its nodes are not held otherwise");
-            if (result.slides.back() && !displacement_.row(row_.at(vertices[i])).isZero(0))
+            const auto row = row_.find(vertices[i]);
+            if (result.slides.back() && row != row_.end() && !displacement_.row(row->second).isZero(0))
                 throw InputError("marker '" + sliding.name + "' slides, but is moved as well");
         }
         return result;
     }
 
-    /// The boundary without the sliding nodes.
-    HeldBoundary without(const std::vector<SlidingChain>& chains, Matrix& displacement) const
+    /// The boundary without the sliding nodes, but with the others of their chains.
+    Held without(const std::vector<SlidingChain>& chains) const
     {
-        std::vector<bool> slides(held_.vertices.size(), false);
+        std::map<Index, bool> slides;
         for (const SlidingChain& sliding : chains)
             for (std::size_t i = 0; i < sliding.slides.size(); ++i)
-                if (sliding.slides[i])
-                    slides[static_cast<std::size_t>(row_.at(sliding.chain.vertices[i]))] = true;
-        HeldBoundary rest{{}, held_.moving_edges, {}};
+                slides[sliding.chain.vertices[i]] = sliding.slides[i];
+        const auto is_sliding = [&](Index v) { return slides.contains(v) && slides.at(v); };
+        Held rest{{{}, held_.moving_edges, {}}, Matrix(0, 2), {}};
         std::vector<Index> rows;
-        for (std::size_t i = 0; i < slides.size(); ++i)
-            if (!slides[i]) {
-                rest.vertices.push_back(held_.vertices[i]);
-                rows.push_back(static_cast<Index>(i));
-            }
-        const auto both_held = [&](const std::array<Index, 2>& edge) {
-            return std::all_of(edge.begin(), edge.end(), [&](Index v) {
-                const auto found = row_.find(v);
-                return found == row_.end() || !slides[static_cast<std::size_t>(found->second)];
-            });
-        };
-        std::copy_if(held_.walls.begin(), held_.walls.end(), std::back_inserter(rest.walls), both_held);
-        displacement = displacement_(rows, Eigen::all);
+        for (std::size_t i = 0; i < held_.vertices.size(); ++i) {
+            if (is_sliding(held_.vertices[i]))
+                continue;
+            rest.row[held_.vertices[i]] = static_cast<Index>(rows.size());
+            rest.boundary.vertices.push_back(held_.vertices[i]);
+            rows.push_back(static_cast<Index>(i));
+        }
+        rest.displacement = displacement_(rows, Eigen::all);
+        std::copy_if(held_.walls.begin(), held_.walls.end(), std::back_inserter(rest.boundary.walls),
+                     [&](const auto& edge) { return !is_sliding(edge[0]) && !is_sliding(edge[1]); });
+        for (const auto& [v, sliding] : slides)
+            if (!sliding && !rest.row.contains(v))
+                rest.add(v, {0, 0});
         return rest;
     }
 
-    /// Let the nodes of a chain slide to where @p moved, n x 2, would take them.
-    void slide(const SlidingMarker& sliding, const SlidingChain& nodes, const Matrix& moved,
-               Matrix& displacement) const
+    /// Add the nodes of a chain, slid to where @p moved, n x 2, would take them.
+    void slide(const SlidingMarker& sliding, const SlidingChain& nodes, const Matrix& moved, const Held& rest,
+               Held& all) const
     {
         const Rail rail(mesh_, sliding, nodes.chain);
         std::vector<double> start;
@@ -209,15 +222,15 @@ public:
         for (std::size_t i = 0; i < nodes.slides.size(); ++i) {
             const Index v = nodes.chain.vertices[i];
             const Eigen::RowVector2d x = points(mesh_).row(v).head<2>();
-            const Eigen::RowVector2d move = nodes.slides[i] ? moved.row(v) : displacement_.row(row_.at(v));
+            const Eigen::RowVector2d move =
+                nodes.slides[i] ? moved.row(v) : rest.displacement.row(rest.row.at(v));
             start.push_back(rail.nearest(x));
             target.push_back(start.back() + difference(rail.nearest(x + move), start.back(), rail.period()));
         }
         const std::vector<double> end = let_slide(start, target, nodes.slides, rail.period());
         for (std::size_t i = 0; i < nodes.slides.size(); ++i)
             if (nodes.slides[i])
-                displacement.row(row_.at(nodes.chain.vertices[i])) =
-                    rail.point(end[i]) - rail.point(start[i]);
+                all.add(nodes.chain.vertices[i], rail.point(end[i]) - rail.point(start[i]));
     }
 
 private:
@@ -239,13 +252,12 @@ BoundaryMove with_sliding(BoundaryMove move, std::vector<SlidingMarker> markers)
         chains.reserve(markers.size());
         for (const SlidingMarker& marker : markers)
             chains.push_back(sliding.chain_of(marker));
-        Matrix of_rest;
-        const HeldBoundary rest = sliding.without(chains, of_rest);
-        const Matrix moved = move(mesh, rest, of_rest);
-        Matrix all = displacement;
+        const Held rest = sliding.without(chains);
+        const Matrix moved = move(mesh, rest.boundary, rest.displacement);
+        Held all = rest;
         for (std::size_t m = 0; m < markers.size(); ++m)
-            sliding.slide(markers[m], chains[m], moved, all);
-        return move(mesh, held, all);
+            sliding.slide(markers[m], chains[m], moved, rest, all);
+        return move(mesh, all.boundary, all.displacement);
     };
 }
 

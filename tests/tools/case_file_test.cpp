@@ -52,9 +52,9 @@ TEST(CaseFile, IsReadWholeWithPathsRelativeToIt)
     EXPECT_TRUE(file.boundaries[0].curve.closed);
     EXPECT_EQ(file.boundaries[0].curve.control_points(2, 1), 1);
     EXPECT_EQ(file.boundaries[0].displacements(3, 1), -0.5);
-    EXPECT_EQ(file.diffusivity, "inverse-distance");
-    EXPECT_EQ(file.guard, "none");
-    EXPECT_THAT(*file.fixed, ::testing::ElementsAre("farfield"));
+    EXPECT_EQ(file.deform.diffusivity, "inverse-distance");
+    EXPECT_EQ(file.deform.guard, "none");
+    EXPECT_THAT(*file.deform.fixed, ::testing::ElementsAre("farfield"));
 }
 
 TEST(CaseFile, TakesMovedPointsAndFilesOfPoints)

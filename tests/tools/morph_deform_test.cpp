@@ -132,7 +132,7 @@ TEST_P(MorphDeformRealMesh, MovesNothingWithoutDisplacements)
 TEST_P(MorphDeformRealMesh, CountsInvertedElementsAsAnIndependentCountDoes)
 {
     tools::CaseFile file = test::fitted_case(mesh_, GetParam().markers);
-    file.diffusivity = "uniform";
+    file.deform.diffusivity = "uniform";
     test::turn(file, 60, {0.5, 0});
     const auto result = deform(file);
     EXPECT_EQ(result.status, 3);
@@ -205,7 +205,7 @@ TEST_F(MorphDeform, IsLinearInTheDisplacements)
 TEST_F(MorphDeform, TellsHowMuchOfAMoveIsSafe)
 {
     test::turn(file_, 40, {0.5, 0});
-    file_.diffusivity = "uniform";
+    file_.deform.diffusivity = "uniform";
     const Points2 whole = file_.boundaries[0].displacements;
     const auto report_with = [&](double part) {
         file_.boundaries[0].displacements = part * whole;
@@ -229,7 +229,7 @@ TEST_F(MorphDeform, TellsHowMuchOfAMoveIsSafe)
 TEST_F(MorphDeform, DoesNotLookAtTheResultWithGuardNone)
 {
     test::turn(file_, 60, {0.5, 0});
-    file_.diffusivity = "uniform";
+    file_.deform.diffusivity = "uniform";
     const auto result =
         run_tool("morph-deform", {write_case(), "-o", folder_.file("m.su2"), "--guard", "none"});
     EXPECT_EQ(result.status, 0) << result.errors;

@@ -90,7 +90,7 @@ TEST(MorphFit, WritesACaseFileWhoseCurvesAreAsNearAsItSays)
         const auto report = nlohmann::json::parse(result.output);
         const tools::CaseFile file = tools::read_case_file(path);
         EXPECT_TRUE(std::filesystem::equivalent(file.mesh_file, mesh_path(body.mesh)));
-        EXPECT_EQ(file.diffusivity, "inverse-distance");
+        EXPECT_EQ(file.deform.diffusivity, "inverse-distance");
         ASSERT_EQ(file.boundaries.size(), body.markers.size());
         const Mesh mesh = read_mesh(file.mesh_file);
         double largest = 0;

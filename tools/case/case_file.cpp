@@ -119,19 +119,6 @@ void read_boundaries(const TomlTable& root, CaseFile& file)
             "boundary from a marker");
 }
 
-void read_deform_section(const TomlTable& root, CaseFile& file)
-{
-    const auto table = root.table("deform", "[deform]");
-    if (!table)
-        return;
-    table->require_known({"method", "diffusivity", "guard", "fixed"});
-    file.method = table->choice("method", {"harmonic", "ffd"}).value_or(file.method);
-    file.diffusivity = table->choice("diffusivity", {"uniform", "inverse-distance", "inverse-area"})
-                           .value_or(file.diffusivity);
-    file.guard = table->choice("guard", {"none", "check"}).value_or(file.guard);
-    file.fixed = table->strings("fixed");
-}
-
 void read_output_section(const TomlTable& root, CaseFile& file)
 {
     const auto table = root.table("output", "[output]");
@@ -174,8 +161,9 @@ CaseFile parse_case_file(std::string_view bytes, const std::string& path)
     if (const auto table = root.table("constraints", "[constraints]"))
         file.constraints = constraints_entry(*table);
     read_boundaries(root, file);
-    read_deform_section(root, file);
-    if (file.method == "ffd" && !file.lattice)
+    if (const auto table = root.table("deform", "[deform]"))
+        file.deform = deform_entry(*table);
+    if (file.deform.method == "ffd" && !file.lattice)
         root.fail(1, "method = \"ffd\" needs a [lattice]");
     read_output_section(root, file);
     return file;

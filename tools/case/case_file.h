@@ -2,6 +2,7 @@
 
 #include "libmorph/basis/curve.h"
 #include "tools/case/constraints_entry.h"
+#include "tools/case/deform_entry.h"
 #include "tools/case/lattice_entry.h"
 #include "tools/case/pull_entry.h"
 
@@ -37,10 +38,7 @@ struct CaseFile {
     std::optional<LatticeEntry> lattice;
     std::vector<PullEntry> pulls;
     std::optional<ConstraintsEntry> constraints;
-    std::string method = "harmonic";
-    std::string diffusivity = "uniform";
-    std::string guard = "check";
-    std::optional<std::vector<std::string>> fixed;
+    DeformEntry deform;
     std::string output_mesh; ///< empty when not given
 };
 

@@ -25,6 +25,11 @@ public:
     int line(const std::string& key) const;
     const std::string& path() const { return path_; }
 
+    /// Whether the value is a text in quotes.
+    bool is_text(const std::string& key) const
+    {
+        return table_.contains(key) && table_.get(key)->is_string();
+    }
     std::optional<std::string> string(const std::string& key) const;
     std::optional<bool> boolean(const std::string& key) const;
     std::optional<double> number(const std::string& key) const;

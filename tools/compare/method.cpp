@@ -29,7 +29,8 @@ void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, Mov
     for (int i = 0; i < kRepeats; ++i) {
         moved.positions = points(mesh);
         Stopwatch watch;
-        apply_motion(file, motion, Eigen::Map<Points>(moved.positions.data(), moved.positions.rows(), 3));
+        apply_motion(mesh, file, motion,
+                     Eigen::Map<Points>(moved.positions.data(), moved.positions.rows(), 3));
         const double seconds = watch.lap();
         moved.move_seconds = i == 0 ? seconds : std::min(moved.move_seconds, seconds);
     }
@@ -41,8 +42,8 @@ void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, Mov
 
 MovedMesh move_harmonic(const Mesh& mesh, CaseFile file, const std::string& diffusivity)
 {
-    file.method = "harmonic";
-    file.diffusivity = diffusivity;
+    file.deform.method = "harmonic";
+    file.deform.diffusivity = diffusivity;
     file.lattice.reset();
     Stopwatch watch;
     const CaseMotion motion = prepare_motion(mesh, file);
@@ -76,7 +77,7 @@ LatticeEntry lattice_around(const PlacedCase& placed)
 /// find.
 CaseFile with_lattice(CaseFile file, const PlacedCase& placed, int continuity)
 {
-    file.method = "ffd";
+    file.deform.method = "ffd";
     if (!file.lattice) {
         file.lattice = lattice_around(placed);
         file.lattice->continuity = continuity;
@@ -105,8 +106,8 @@ MovedMesh move_ffd_harmonic(const Mesh& mesh, const PlacedCase& placed, const Ca
     Stopwatch watch;
     CaseMotion fitted = prepare_motion(mesh, ffd);
     control_motion(mesh, ffd, fitted);
-    ffd.method = "harmonic";
-    ffd.diffusivity = "inverse-distance";
+    ffd.deform.method = "harmonic";
+    ffd.deform.diffusivity = "inverse-distance";
     for (const BoundaryEntry& boundary : ffd.boundaries)
         ffd.lattice->markers.push_back(boundary.name);
     ffd.boundaries.clear();

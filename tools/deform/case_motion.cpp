@@ -68,6 +68,35 @@ double fit_lattice(const Mesh& mesh, CaseMotion& motion)
     return (wanted - R * motion.displacements).rowwise().norm().maxCoeff();
 }
 
+bool reweighs(const CaseFile& file)
+{
+    return file.lattice && !file.lattice->moved_weights.empty();
+}
+
+/// The weights of the boundary alone, as rows of all vertices.
+SparseWeights boundary_weights(const Mesh& mesh, const BoundaryConditions& conditions)
+{
+    SparseWeights weights{conditions.columns, {}};
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
+        for (Index k = 0; k < conditions.held.values.cols(); ++k)
+            if (const double value = conditions.held.values(static_cast<Index>(i), k); value != 0)
+                entries.emplace_back(conditions.held.vertices[i], k, value);
+    weights.values.resize(vertex_count(mesh), conditions.held.values.cols());
+    weights.values.setFromTriplets(entries.begin(), entries.end());
+    return weights;
+}
+
+void require_no_weights_wanted(const CaseFile& file, const std::string& weights_file)
+{
+    if (!weights_file.empty())
+        throw InputError(
+            file.path + ":" + std::to_string(file.deform.line) +
+            ": [deform] rotations, steps, slide and rigid move the mesh by more than weights, so "
+            "they cannot use those of " +
+            weights_file);
+}
+
 /// With other weights of the control points the map is not linear in them.
 void move_reweighed(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
 {
@@ -83,7 +112,7 @@ void move_reweighed(const CaseFile& file, const CaseMotion& motion, Eigen::Map<P
 std::vector<Index> whole_rows(const CaseMotion& motion)
 {
     std::vector<Index> rows;
-    if (motion.lattice) {
+    if (motion.lattice && !motion.carry) {
         if (std::holds_alternative<SparseWeights>(motion.weights))
             for (std::size_t v = 0; v < motion.lattice->embedding.inside.size(); ++v)
                 if (motion.lattice->embedding.inside[v] != 0)
@@ -121,8 +150,13 @@ std::vector<Index> CaseMotion::held() const
 
 CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file)
 {
-    if (file.method == "ffd")
+    if (file.deform.method == "ffd") {
+        if (carries_boundary(file.deform))
+            throw InputError(file.path + ":" + std::to_string(file.deform.line) +
+                             ": [deform] rotations, steps, slide and rigid go with methods that carry the "
+                             "boundary's move into the mesh, not with \"ffd\"");
         return motion_of_lattice(mesh, file);
+    }
     CaseMotion motion;
     if (file.boundaries.empty()) {
         motion.lattice = place_lattice(mesh, file);
@@ -131,6 +165,12 @@ CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::str
         motion.curves = place_case(mesh, file);
     }
     motion.displacements = motion.curves.displacements;
+    if (carries_boundary(file.deform)) {
+        require_no_weights_wanted(file, weights_file);
+        motion.carry = boundary_carry(motion.curves, file);
+        motion.weights = boundary_weights(mesh, motion.curves.conditions);
+        return motion;
+    }
     motion.weights = weights_file.empty() ? solve_weights(mesh, motion.curves, file)
                                           : load_weights(weights_file, mesh, motion.curves);
     return motion;
@@ -139,17 +179,17 @@ CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::str
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion)
 {
     ControlOutcome outcome;
-    if (!is_linear(file) && (file.method != "ffd" || !file.pulls.empty() || file.constraints))
+    if (reweighs(file) && (file.deform.method != "ffd" || !file.pulls.empty() || file.constraints))
         throw InputError(file.path + ":" + std::to_string(file.lattice->line) +
                          ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls and "
                          "constraints: the move is not linear in them");
-    if (file.method == "ffd" && !motion.curves.boundaries.empty())
+    if (file.deform.method == "ffd" && !motion.curves.boundaries.empty())
         outcome.curve_misfit = fit_lattice(mesh, motion);
     if (!file.pulls.empty())
         outcome.pull = pull(mesh, file, motion.rows(), motion.held(), motion.displacements);
     if (file.constraints)
         outcome.constrained = constrain(mesh, file, outcome.pull, motion);
-    if (file.method == "ffd")
+    if (file.deform.method == "ffd")
         return outcome;
     motion.curves.displacements = motion.displacements;
     if (!motion.curves.boundaries.empty())
@@ -160,15 +200,20 @@ ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion
 
 bool is_linear(const CaseFile& file)
 {
-    return !file.lattice || file.lattice->moved_weights.empty();
+    return !reweighs(file) && !carries_boundary(file.deform);
 }
 
-void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
+int apply_motion(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion,
+                 Eigen::Map<Points> positions)
 {
-    if (!is_linear(file))
-        return move_reweighed(file, motion, positions);
-    std::visit([&](const auto& filled) { apply_weights(filled, motion.displacements, positions); },
-               motion.weights);
+    if (motion.carry)
+        return carry_boundary(mesh, *motion.carry, motion.displacements, positions);
+    if (reweighs(file))
+        move_reweighed(file, motion, positions);
+    else
+        std::visit([&](const auto& filled) { apply_weights(filled, motion.displacements, positions); },
+                   motion.weights);
+    return 1;
 }
 
 WeightsCheck check_weights(const CaseMotion& motion)

@@ -2,6 +2,7 @@
 
 #include "libmorph/deform/constraints.h"
 #include "libmorph/weights/weight_rows.h"
+#include "tools/deform/boundary_carry.h"
 #include "tools/deform/case_control.h"
 #include "tools/deform/case_weights.h"
 #include "tools/deform/moved_case.h"
@@ -17,9 +18,10 @@ namespace morph::tools {
 /// A case brought onto its mesh: its control points, whichever they are, and how the mesh follows them.
 struct CaseMotion {
     PlacedCase curves; ///< boundaries on their curves; none when a lattice moves the boundary
-    std::optional<PlacedLattice> lattice; ///< with [lattice]
-    std::variant<Weights, SparseWeights> weights;
-    Matrix displacements; ///< K x 2 or K x 3, rows as the columns of the weights
+    std::optional<PlacedLattice> lattice;         ///< with [lattice]
+    std::variant<Weights, SparseWeights> weights; ///< with carry those of the boundary alone
+    std::optional<BoundaryCarry> carry;           ///< when the mesh does not follow by weights
+    Matrix displacements;                         ///< K x 2 or K x 3, rows as the columns of the weights
 
     const std::vector<ControlPoint>& columns() const;
     WeightRows rows() const;
@@ -48,12 +50,15 @@ struct ControlOutcome {
 ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion);
 
 /// Whether the vertices move in proportion to the displacements: not under a lattice whose weights change
-/// too.
+/// too, nor with rotations, steps, sliding markers and rigid layers.
 bool is_linear(const CaseFile& file);
 
 /// Move the vertices.
-/// @param positions  n x 3, moved in place
-void apply_motion(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions);
+/// @param mesh       before the move
+/// @param positions  n x 3, moved in place; may be those of @p mesh
+/// @return the number of steps taken, 1 but for [deform] steps
+int apply_motion(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion,
+                 Eigen::Map<Points> positions);
 
 /// Range of the weights, and how far rows that should sum to one do not: those of the curves' own nodes, and
 /// of the vertices that a lattice moves.

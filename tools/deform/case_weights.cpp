@@ -2,35 +2,15 @@
 
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
-#include "libmorph/weights/harmonic.h"
 #include "libmorph/weights/weight_fields.h"
+#include "tools/deform/boundary_carry.h"
+#include "tools/deform/spread_methods.h"
 
-#include <algorithm>
-#include <map>
+#include <memory>
 
 namespace morph::tools {
 
 namespace {
-
-Matrix solve_harmonic(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
-{
-    static const std::map<std::string, Diffusivity> kDiffusivities{
-        {"uniform", Diffusivity::uniform},
-        {"inverse-distance", Diffusivity::inverse_distance},
-        {"inverse-area", Diffusivity::inverse_area},
-    };
-    const BoundaryConditions& conditions = placed.conditions;
-    return harmonic_weights(mesh, {conditions.held, conditions.moving_edges, conditions.marker_edges},
-                            kDiffusivities.at(file.diffusivity));
-}
-
-using Filler = Matrix (*)(const Mesh&, const PlacedCase&, const CaseFile&);
-
-const std::map<std::string, Filler>& methods()
-{
-    static const std::map<std::string, Filler> table{{"harmonic", solve_harmonic}};
-    return table;
-}
 
 void require_same_points(const std::string& path, const MeshData& data, const Mesh& mesh)
 {
@@ -58,7 +38,9 @@ void set_boundary_rows(const DirichletSet& held, Matrix& values)
 
 Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
 {
-    return {placed.conditions.columns, methods().at(file.method)(mesh, placed, file)};
+    const std::unique_ptr<Spread> spread =
+        spread_method(file.deform).make(mesh, held_boundary(placed.conditions), file.deform);
+    return {placed.conditions.columns, spread->spread(placed.conditions.held.values)};
 }
 
 Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed)

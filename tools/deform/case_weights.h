@@ -7,8 +7,7 @@
 
 namespace morph::tools {
 
-/// Fill the weights by the method that the case names. A new method is one more row of the table in
-/// the source.
+/// Fill the weights by the method that the case names, see spread_methods.h.
 Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file);
 
 /// Read weights that were saved on this mesh, or remapped to it, and set the boundary rows anew so that

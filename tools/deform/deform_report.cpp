@@ -132,6 +132,19 @@ void describe_safe_step(const SafeStep& safe, Report& report)
     report.say(safe.step < 1 ? safe_step_text(safe) : "all of this move is safe");
 }
 
+void describe_repair(const DeformResult& result, Report& report)
+{
+    const UntangleResult& repair = *result.untangled;
+    report.json["untangle"] = {{"tangled", result.tangled},
+                               {"inverted", repair.inverted.size()},
+                               {"hopeless", repair.hopeless},
+                               {"patch_vertices", repair.patch_vertices},
+                               {"iterations", repair.iterations}};
+    report.say("untangled: " + std::to_string(result.tangled) + " inverted elements before, " +
+               std::to_string(repair.inverted.size()) + " after, " + std::to_string(repair.patch_vertices) +
+               " vertices moved in " + std::to_string(repair.iterations) + " iterations");
+}
+
 void describe_quality(const DeformResult& result, Report& report)
 {
     if (!result.before || !result.after)
@@ -166,6 +179,7 @@ void describe(const DeformResult& result, const CaseMotion& motion, Report& repo
     json["method"] = result.method;
     json["diffusivity"] = result.diffusivity;
     json["guard"] = result.guard;
+    json["steps"] = result.steps;
     json["output"] = result.output;
     json["control_points"] = motion.columns().size();
     json["boundaries"] = ordered_json::array();
@@ -183,6 +197,8 @@ void describe(const DeformResult& result, const CaseMotion& motion, Report& repo
     json["boundary_crossings"] = result.crossings;
     if (result.safe_step)
         describe_safe_step(*result.safe_step, report);
+    if (result.untangled)
+        describe_repair(result, report);
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);
     report.say("wrote " + result.output);

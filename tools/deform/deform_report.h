@@ -2,6 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 #include "libmorph/quality/safe_step.h"
+#include "libmorph/untangle/untangle.h"
 #include "tools/common/report.h"
 #include "tools/deform/case_motion.h"
 
@@ -32,7 +33,10 @@ struct DeformResult {
     std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
     std::optional<QualityReport> before; ///< without guard = "none"
     std::optional<QualityReport> after;
-    std::optional<SafeStep> safe_step; ///< planar meshes, moves linear in the control points
+    int steps = 1;                           ///< the move took
+    Index tangled = 0;                       ///< inverted elements before the repair
+    std::optional<UntangleResult> untangled; ///< with guard = "untangle", when there was something to repair
+    std::optional<SafeStep> safe_step;       ///< planar meshes, moves linear in the control points
     StageSeconds seconds;
 };
 

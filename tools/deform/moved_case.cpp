@@ -18,13 +18,14 @@ double size_of(const Curve& curve)
     return (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
 }
 
-/// Markers named in [deform] fixed, or every one that no curve carries.
+/// Markers named in [deform] fixed, or every one that no curve carries and that does not slide.
 std::vector<std::string> fixed_markers(const Mesh& mesh, const CaseFile& file)
 {
     std::vector<std::string> carried;
     for (const BoundaryEntry& entry : file.boundaries)
         carried.push_back(entry.name);
-    return file.fixed.value_or(other_markers(mesh, carried));
+    carried.insert(carried.end(), file.deform.slide.begin(), file.deform.slide.end());
+    return file.deform.fixed.value_or(other_markers(mesh, carried));
 }
 
 Points2 stacked_displacements(const CaseFile& file, Eigen::Index columns)

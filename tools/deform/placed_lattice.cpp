@@ -113,7 +113,7 @@ void warn_of_tears(const Mesh& mesh, const CaseFile& file, PlacedLattice& placed
     const std::vector<Index> face = outer_control_points(placed.lattice, 1);
     const bool moves_faces = std::any_of(face.begin(), face.end(),
                                          [&](Index row) { return !placed.displacements.row(row).isZero(0); });
-    if (file.method == "ffd" && moves_faces && box_cuts_mesh(mesh, placed.embedding))
+    if (file.deform.method == "ffd" && moves_faces && box_cuts_mesh(mesh, placed.embedding))
         placed.warnings.push_back(
             "[lattice] moves control points on its faces while the mesh goes on outside: it tears "
             "there; continuity = 1 holds them, or make the box larger");
@@ -140,7 +140,7 @@ std::vector<std::string> lattice_markers(const Mesh& mesh, const CaseFile& file,
     if (!file.lattice->markers.empty())
         return file.lattice->markers;
     std::vector<std::string> inside;
-    const std::vector<std::string> fixed = file.fixed.value_or(std::vector<std::string>());
+    const std::vector<std::string> fixed = file.deform.fixed.value_or(std::vector<std::string>());
     for (const Marker& candidate : mesh.markers) {
         const bool held = std::find(fixed.begin(), fixed.end(), candidate.name) != fixed.end();
         const std::vector<Index> vertices = marker_vertices(candidate);
@@ -193,7 +193,7 @@ PlacedCase lattice_boundary(const Mesh& mesh, const CaseFile& file, const Placed
     const std::vector<std::string> markers = lattice_markers(mesh, file, placed);
     if (markers.empty())
         throw InputError(place_of(file) + "holds no part of a marker that is not fixed");
-    std::vector<std::string> fixed = file.fixed.value_or(other_markers(mesh, markers));
+    std::vector<std::string> fixed = file.deform.fixed.value_or(other_markers(mesh, markers));
     for (const std::string& name : markers)
         if (std::find(fixed.begin(), fixed.end(), name) != fixed.end())
             throw InputError(place_of(file) + "moves marker '" + name + "', which is fixed as well");

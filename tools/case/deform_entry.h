@@ -1,0 +1,40 @@
+#pragma once
+
+#include "tools/case/toml_table.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morph::tools {
+
+/// Cells beside a marker that move with it.
+struct RigidEntry {
+    int line = 0;
+    std::string marker;
+    double distance = 0; ///< length unit of the mesh
+};
+
+/// [deform]: how the boundary takes the mesh along.
+struct DeformEntry {
+    int line = 1; ///< in the case file, for messages
+    std::string method = "harmonic";
+    std::string diffusivity = "uniform";
+    std::string guard = "check";
+    std::optional<std::vector<std::string>> fixed;
+    bool rotations = false;
+    int steps = 1; ///< 0: as many as the safe step asks for
+    std::vector<std::string> slide;
+    std::vector<RigidEntry> rigid;
+};
+
+/// What [deform] method, diffusivity and guard may be.
+const std::vector<std::string>& move_methods();
+const std::vector<std::string>& diffusivities();
+const std::vector<std::string>& guards();
+
+/// Read [deform].
+/// @throws InputError  "case.toml:12: what is wrong"
+DeformEntry deform_entry(const TomlTable& table);
+
+} // namespace morph::tools

@@ -1,0 +1,70 @@
+#include "tools/deform/boundary_carry.h"
+
+#include "libmorph/deform/move_in_steps.h"
+#include "libmorph/deform/rigid_frames.h"
+#include "libmorph/deform/rigid_layers.h"
+#include "libmorph/deform/slide.h"
+#include "tools/deform/spread_methods.h"
+
+namespace morph::tools {
+
+namespace {
+
+BoundaryMove plain_move(const DeformEntry& deform)
+{
+    return [deform](const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement) {
+        const std::unique_ptr<Spread> spread = spread_method(deform).make(mesh, held, deform);
+        return deform.rotations ? spread_with_rotations(*spread, mesh, held, displacement)
+                                : spread->spread(displacement);
+    };
+}
+
+std::vector<SlidingMarker> sliding_markers(const CaseFile& file)
+{
+    std::vector<SlidingMarker> markers;
+    for (const std::string& name : file.deform.slide) {
+        SlidingMarker sliding{name, std::nullopt};
+        for (const BoundaryEntry& boundary : file.boundaries)
+            if (boundary.name == name)
+                sliding.curve = Curve(boundary.curve);
+        markers.push_back(std::move(sliding));
+    }
+    return markers;
+}
+
+} // namespace
+
+bool carries_boundary(const DeformEntry& deform)
+{
+    return deform.rotations || deform.steps != 1 || !deform.slide.empty() || !deform.rigid.empty();
+}
+
+HeldBoundary held_boundary(const BoundaryConditions& conditions)
+{
+    return {conditions.held.vertices, conditions.moving_edges, conditions.marker_edges};
+}
+
+BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file)
+{
+    BoundaryCarry carry{held_boundary(placed.conditions), placed.conditions.held.values,
+                        plain_move(file.deform), file.deform.steps};
+    std::vector<RigidLayer> layers;
+    for (const RigidEntry& entry : file.deform.rigid)
+        layers.push_back({entry.marker, entry.distance});
+    if (!layers.empty())
+        carry.move = with_rigid_layers(carry.move, layers);
+    if (!file.deform.slide.empty())
+        carry.move = with_sliding(carry.move, sliding_markers(file));
+    return carry;
+}
+
+int carry_boundary(const Mesh& mesh, const BoundaryCarry& carry, const Matrix& displacements,
+                   Eigen::Map<Points> positions)
+{
+    Mesh moving = mesh;
+    const int steps = move_in_steps(moving, carry.held, carry.rows * displacements, carry.move, carry.steps);
+    positions = points(moving);
+    return steps;
+}
+
+} // namespace morph::tools

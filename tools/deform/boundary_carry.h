@@ -1,0 +1,34 @@
+#pragma once
+
+#include "libmorph/deform/boundary_move.h"
+#include "tools/case/case_file.h"
+#include "tools/deform/moved_case.h"
+
+namespace morph::tools {
+
+/// How a case's boundary takes the mesh along where that is no product of weights and displacements.
+struct BoundaryCarry {
+    HeldBoundary held;
+    Matrix rows; ///< k x K: how the held vertices follow the control points
+    BoundaryMove move;
+    int steps = 1;
+};
+
+/// Whether a case asks for what is not linear: rotations, steps, sliding markers, rigid layers.
+bool carries_boundary(const DeformEntry& deform);
+
+/// The boundary of a case with all that [deform] asks for.
+BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file);
+
+/// The held boundary of a case.
+HeldBoundary held_boundary(const BoundaryConditions& conditions);
+
+/// Move the vertices with their boundary.
+/// @param mesh           before the move
+/// @param displacements  K x 2
+/// @param positions      n x 3: where they go
+/// @return the number of steps taken
+int carry_boundary(const Mesh& mesh, const BoundaryCarry& carry, const Matrix& displacements,
+                   Eigen::Map<Points> positions);
+
+} // namespace morph::tools
