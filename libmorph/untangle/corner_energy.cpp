@@ -10,8 +10,11 @@ namespace {
 /// Value and derivatives of the energy in A = |a|^2 and B = |b|^2.
 struct Derivatives {
     double value = 0;
-    double A = 0, B = 0;
-    double AA = 0, AB = 0, BB = 0;
+    double a = 0;
+    double b = 0;
+    double aa = 0;
+    double ab = 0;
+    double bb = 0;
 };
 
 double base_energy(double A, double B, double eps, double theta)
@@ -35,11 +38,11 @@ Derivatives base_derivatives(double A, double B, double eps, double theta)
     const double turn = 2 * slope * slope - bend;                         // chi (1 / chi)''
     Derivatives d;
     d.value = N * inverse;
-    d.A = (NA - N * slope) * inverse;
-    d.B = (NB + N * slope) * inverse;
-    d.AA = (NAA - 2 * NA * slope + N * turn) * inverse;
-    d.BB = (NAA + 2 * NB * slope + N * turn) * inverse;
-    d.AB = (-NAA + (NA - NB) * slope - N * turn) * inverse;
+    d.a = (NA - N * slope) * inverse;
+    d.b = (NB + N * slope) * inverse;
+    d.aa = (NAA - 2 * NA * slope + N * turn) * inverse;
+    d.bb = (NAA + 2 * NB * slope + N * turn) * inverse;
+    d.ab = (-NAA + (NA - NB) * slope - N * turn) * inverse;
     return d;
 }
 
@@ -48,11 +51,11 @@ Derivatives raised(const Derivatives& d, double exponent)
     const double power = std::pow(d.value, exponent - 2);
     const double first = exponent * power * d.value, second = exponent * (exponent - 1) * power;
     return {power * d.value * d.value,
-            first * d.A,
-            first * d.B,
-            first * d.AA + second * d.A * d.A,
-            first * d.AB + second * d.A * d.B,
-            first * d.BB + second * d.B * d.B};
+            first * d.a,
+            first * d.b,
+            first * d.aa + second * d.a * d.a,
+            first * d.ab + second * d.a * d.b,
+            first * d.bb + second * d.b * d.b};
 }
 
 std::complex<double> direction(std::complex<double> z, double length)
@@ -94,15 +97,15 @@ CornerModel corner_model(const CornerMap& map, double eps, const EnergyWeights& 
     const double p = std::sqrt(A), q = std::sqrt(B);
     const Derivatives d = raised(base_derivatives(A, B, eps, weights.size), weights.exponent);
     CornerModel model;
-    model.a_gradient = 2 * d.A * map.a;
-    model.b_gradient = 2 * d.B * map.b;
+    model.a_gradient = 2 * d.a * map.a;
+    model.b_gradient = 2 * d.b * map.b;
     model.a_along = direction(map.a, p);
     model.b_along = direction(map.b, q);
-    model.aa = 2 * d.A + 4 * A * d.AA;
-    model.ab = 4 * p * q * d.AB;
-    model.bb = 2 * d.B + 4 * B * d.BB;
-    model.across_a = std::max(2 * d.A, 0.0);
-    model.across_b = std::max(2 * d.B, 0.0);
+    model.aa = 2 * d.a + 4 * A * d.aa;
+    model.ab = 4 * p * q * d.ab;
+    model.bb = 2 * d.b + 4 * B * d.bb;
+    model.across_a = std::max(2 * d.a, 0.0);
+    model.across_b = std::max(2 * d.b, 0.0);
     project(model);
     return model;
 }

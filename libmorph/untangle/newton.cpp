@@ -11,8 +11,9 @@ namespace morph {
 
 namespace {
 
-constexpr double kLeastEps = 1e-9;  // corners of at least so much of their target's area feel no eps
-constexpr double kLeastFall = 0.3;  // by which eps falls when the energy does not
+constexpr double kLeastEps = 1e-9; // corners of at least so much of their target's area feel no eps
+constexpr double kLeastFall = 0.3; // by which eps falls when the energy does not
+constexpr double kStuck = 0.2; // part of the worst determinant that eps shrinks to where a patch is too small
 constexpr double kLeastStep = 1e-9; // part of a Newton step
 constexpr double kArmijo = 1e-4;    // part of the promised fall that a step must bring
 constexpr double kSettled = 1e-4;   // relative fall of the energy below which a step is the last
@@ -20,8 +21,9 @@ constexpr double kShift = 1e-9;     // on the diagonal: a patch that nothing hol
 
 Points2 places_of_unknowns(const Patch& patch, const PlanePositions& x)
 {
-    Points2 where(2 * patch.free, 2);
-    for (Index v = 0; v < patch.free; ++v) {
+    const Eigen::Index free = patch.free;
+    Points2 where(2 * free, 2);
+    for (Eigen::Index v = 0; v < free; ++v) {
         const std::complex<double> p = x[static_cast<std::size_t>(v)];
         where.row(2 * v) << p.real(), p.imag();
         where.row(2 * v + 1) = where.row(2 * v);
@@ -37,10 +39,11 @@ struct Direction {
 
 Matrix descent(const PlanePositions& gradient)
 {
-    Matrix right(2 * static_cast<Index>(gradient.size()), 1);
-    for (std::size_t v = 0; v < gradient.size(); ++v) {
-        right(2 * static_cast<Index>(v), 0) = -gradient[v].real();
-        right(2 * static_cast<Index>(v) + 1, 0) = -gradient[v].imag();
+    const auto n = static_cast<Eigen::Index>(gradient.size());
+    Matrix right(2 * n, 1);
+    for (Eigen::Index v = 0; v < n; ++v) {
+        right(2 * v, 0) = -gradient[static_cast<std::size_t>(v)].real();
+        right(2 * v + 1, 0) = -gradient[static_cast<std::size_t>(v)].imag();
     }
     return right;
 }
@@ -70,17 +73,18 @@ Direction newton_direction(PatchEnergy::Model& model, const Dissection& dissecti
     const Matrix solution = solve_shifted(model, dissection);
     Direction direction{PlanePositions(model.gradient.size()), 0};
     for (std::size_t v = 0; v < direction.d.size(); ++v) {
-        const auto row = 2 * static_cast<Index>(v);
+        const auto row = 2 * static_cast<Eigen::Index>(v);
         direction.d[v] = {solution(row, 0), solution(row + 1, 0)};
         direction.slope += std::real(std::conj(model.gradient[v]) * direction.d[v]);
     }
     return direction;
 }
 
-/// The paper's rule: eps shrinks as fast as the energy has fallen, and is gone once no corner needs it.
-double next_eps(double eps, double least, double fall)
+/// The paper's rule: eps shrinks as fast as the energy has fallen, or faster where a large part of a Newton
+/// step could be taken; it is gone once no corner needs it.
+double next_eps(double eps, double least, double fall, double step)
 {
-    const double sigma = std::max(kLeastFall, fall);
+    const double sigma = std::max(kLeastFall * step, fall);
     const double mu = (1 - sigma) * regularized(least, eps);
     return least < mu ? std::max(kLeastEps, 2 * std::sqrt(mu * (mu - least))) : kLeastEps;
 }
@@ -107,7 +111,9 @@ public:
         positive_ = positive_ || least_ > 0;
         if (eps_ == kLeastEps && fall < kSettled)
             return false;
-        eps_ = next_eps(eps_, least_, fall);
+        if (least_ < 0 && eps_ < kStuck * -least_)
+            return false;
+        eps_ = next_eps(eps_, least_, fall, taken_);
         return true;
     }
 
@@ -124,9 +130,11 @@ private:
                 (positive_ && there.min_determinant <= 0))
                 continue;
             x_.swap(trial_);
+            taken_ = step;
             least_ = there.min_determinant;
             return 1 - there.energy / before;
         }
+        taken_ = 0;
         return 0;
     }
 
@@ -136,6 +144,7 @@ private:
     PlanePositions trial_;
     Dissection dissection_;
     double eps_ = 0;
+    double taken_ = 0; // part of the last Newton step
     double least_ = 0; // determinant of all corners, as in PatchEnergy::Value
     bool positive_ = false;
 };

@@ -14,8 +14,10 @@ namespace morph {
 
 namespace {
 
-constexpr int kGrowths = 2;    // sizes of patches that are tried before the whole mesh is
-constexpr int kWholeMesh = -1; // rings
+constexpr int kGrowths = 2;          // sizes of patches that are tried before the whole mesh is
+constexpr std::size_t kShare = 4;    // the first patches take in at most this part of the mesh ...
+constexpr std::size_t kFew = 20'000; // ... or so many vertices
+constexpr int kWholeMesh = -1;       // rings
 
 std::size_t at(Index i)
 {
@@ -47,7 +49,7 @@ void require_valid(const Mesh& mesh, const PositionsView& reference, const std::
 class Untangler {
 public:
     Untangler(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
-              Eigen::Ref<Points> positions, const UntangleOptions& options)
+              Eigen::Ref<Points>& positions, const UntangleOptions& options)
         : mesh_(mesh), stars_(mesh), reference_(reference), positions_(positions), options_(options),
           held_(at(vertex_count(mesh)))
     {
@@ -88,10 +90,29 @@ private:
     /// Repair patches of more and more rings; returns the number that comes next.
     int grow_patches(UntangleResult& result)
     {
-        int rings = options_.rings;
+        int rings = first_rings(mendable(result));
         for (int growth = 0; growth < kGrowths && !mendable(result).empty(); ++growth, rings *= 2)
             repair(find_patches(stars_, held_, mendable(result), rings), result);
         return rings;
+    }
+
+    /// Fewer rings than asked for where inverted elements are so many that patches around them would take in
+    /// most of the mesh.
+    int first_rings(const std::vector<Index>& inverted) const
+    {
+        const std::size_t limit = std::max(kFew, held_.size() / kShare);
+        int rings = options_.rings;
+        while (rings > 1 && count_free(find_patches(stars_, held_, inverted, rings)) > limit)
+            rings /= 2;
+        return rings;
+    }
+
+    static std::size_t count_free(const std::vector<Patch>& patches)
+    {
+        std::size_t sum = 0;
+        for (const Patch& patch : patches)
+            sum += at(patch.free);
+        return sum;
     }
 
     /// Forget where the free vertices are.
@@ -159,15 +180,17 @@ private:
     const Mesh& mesh_;
     Stars stars_;
     const PositionsView& reference_;
-    Eigen::Ref<Points> positions_;
+    Eigen::Ref<Points>& positions_;
     const UntangleOptions& options_;
     std::vector<char> held_; // by the vertex that stands for it
 };
 
 } // namespace
 
-UntangleResult untangle(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
-                        Eigen::Ref<Points> positions, const UntangleOptions& options)
+UntangleResult
+untangle(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
+         Eigen::Ref<Points> positions, // NOLINT(performance-unnecessary-value-param): it is a view
+         const UntangleOptions& options)
 {
     require_valid(mesh, reference, held, positions);
     UntangleResult result;
