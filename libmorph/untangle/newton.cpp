@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace morph {
 
@@ -31,12 +32,6 @@ Points2 places_of_unknowns(const Patch& patch, const PlanePositions& x)
     return where;
 }
 
-/// Minus the solution of the model, and how fast the energy falls along it.
-struct Direction {
-    PlanePositions d;
-    double slope = 0;
-};
-
 Matrix descent(const PlanePositions& gradient)
 {
     const auto n = static_cast<Eigen::Index>(gradient.size());
@@ -48,36 +43,37 @@ Matrix descent(const PlanePositions& gradient)
     return right;
 }
 
+/// Where to move the free vertices, and how fast the energy falls along that.
+struct Direction {
+    Direction(const PlanePositions& gradient, const Matrix& solution) : d(gradient.size())
+    {
+        for (std::size_t v = 0; v < d.size(); ++v) {
+            const auto row = 2 * static_cast<Eigen::Index>(v);
+            d[v] = {solution(row, 0), solution(row + 1, 0)};
+            slope += std::real(std::conj(gradient[v]) * d[v]);
+        }
+    }
+
+    PlanePositions d;
+    double slope = 0;
+};
+
 /// Corners of very different energies can leave a matrix that is indefinite by rounding: more on the diagonal
-/// mends it.
-Matrix solve_shifted(PatchEnergy::Model& model, const Dissection& dissection)
+/// mends it. Nothing where even that does not help.
+std::optional<Direction> newton_direction(PatchEnergy::Model& model, const Dissection& dissection)
 {
-    double shift = kShift;
-    for (;;) {
+    for (double shift = kShift; shift < 1; shift *= 100) {
         for (double& entry : model.second.diagonal)
             entry *= 1 + shift;
         try {
-            Matrix right = descent(model.gradient);
-            SparseCholesky(model.second, dissection).solve(right);
-            return right;
+            Matrix solution = descent(model.gradient);
+            SparseCholesky(model.second, dissection).solve(solution);
+            return Direction(model.gradient, solution);
         } catch (const SolverError&) {
-            shift *= 100;
-            if (shift > 1)
-                throw;
+            continue;
         }
     }
-}
-
-Direction newton_direction(PatchEnergy::Model& model, const Dissection& dissection)
-{
-    const Matrix solution = solve_shifted(model, dissection);
-    Direction direction{PlanePositions(model.gradient.size()), 0};
-    for (std::size_t v = 0; v < direction.d.size(); ++v) {
-        const auto row = 2 * static_cast<Eigen::Index>(v);
-        direction.d[v] = {solution(row, 0), solution(row + 1, 0)};
-        direction.slope += std::real(std::conj(model.gradient[v]) * direction.d[v]);
-    }
-    return direction;
+    return std::nullopt;
 }
 
 /// The paper's rule: eps shrinks as fast as the energy has fallen, or faster where a large part of a Newton
@@ -107,7 +103,10 @@ public:
         PatchEnergy::Model model = energy_.model(x_, eps_);
         if (dissection_.order.empty())
             dissection_ = nested_dissection(model.second, places_of_unknowns(patch_, x_));
-        const double fall = search(newton_direction(model, dissection_));
+        const std::optional<Direction> direction = newton_direction(model, dissection_);
+        if (!direction)
+            return false;
+        const double fall = search(*direction);
         positive_ = positive_ || least_ > 0;
         if (eps_ == kLeastEps && fall < kSettled)
             return false;
@@ -126,8 +125,8 @@ private:
             for (std::size_t v = 0; v < direction.d.size(); ++v)
                 trial_[v] = x_[v] + step * direction.d[v];
             const PatchEnergy::Value there = energy_.value(trial_, eps_);
-            if (there.energy > before + kArmijo * step * direction.slope ||
-                (positive_ && there.min_determinant <= 0))
+            const bool falls = there.energy <= before + kArmijo * step * direction.slope; // false for NaN
+            if (!falls || (positive_ && there.min_determinant <= 0))
                 continue;
             x_.swap(trial_);
             taken_ = step;

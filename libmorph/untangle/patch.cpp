@@ -201,11 +201,14 @@ std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& hel
     return patches;
 }
 
-void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference)
+void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference,
+                 const std::vector<char>& ignored)
 {
     const double mean = mean_area(patch, stars, reference);
     patch.corners.clear();
     for (const Index f : patch.elements) {
+        if (ignored[at(f)])
+            continue;
         const Element& element = stars.elements[at(f)];
         const auto n = static_cast<std::size_t>(corner_count(element));
         std::array<Index, 4> vertex{};

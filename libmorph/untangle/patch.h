@@ -42,6 +42,9 @@ std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& hel
 /// Fill in the corners of a patch: their targets are the same corners at @p reference. A corner that is not
 /// positive there has the target of its kind (60 or 90 degrees) with the area of a mean corner of the patch.
 /// Each element has the same weight.
-void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference);
+///
+/// @param ignored  by element: has no corners
+void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference,
+                 const std::vector<char>& ignored);
 
 } // namespace morph

@@ -51,7 +51,7 @@ public:
     Untangler(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
               Eigen::Ref<Points>& positions, const UntangleOptions& options)
         : mesh_(mesh), stars_(mesh), reference_(reference), positions_(positions), options_(options),
-          held_(at(vertex_count(mesh)))
+          held_(at(vertex_count(mesh))), given_up_(at(element_count(mesh)))
     {
         for (const Index v : held)
             held_[at(stars_.vertex_of[at(v)])] = 1;
@@ -59,22 +59,23 @@ public:
 
     void run(UntangleResult& result)
     {
+        give_up(result.hopeless);
         const std::vector<Index> first = mendable(result);
+        const Points before = positions_;
         int rings = grow_patches(result);
         if (!mendable(result).empty()) {
-            const Points before = positions_;
-            const std::size_t inverted = result.inverted.size();
             start_afresh(result);
             rings = grow_patches(result);
-            if (!mendable(result).empty())
-                repair(find_patches(stars_, held_, {}, kWholeMesh), result);
-            if (result.inverted.size() > inverted) {
-                positions_ = before;
-                certify(result);
-            }
         }
-        if (mendable(result).empty())
-            repair(find_patches(stars_, held_, first, rings), result);
+        if (!mendable(result).empty())
+            repair(find_patches(stars_, held_, {}, kWholeMesh), result, true);
+        if (!mendable(result).empty()) {
+            give_up(mendable(result));
+            positions_ = before;
+            certify(result);
+            rings = grow_patches(result);
+        }
+        spread(find_patches(stars_, held_, first, rings), result);
     }
 
     void certify(UntangleResult& result) const
@@ -100,11 +101,19 @@ private:
     /// most of the mesh.
     int first_rings(const std::vector<Index>& inverted) const
     {
-        const std::size_t limit = std::max(kFew, held_.size() / kShare);
         int rings = options_.rings;
-        while (rings > 1 && count_free(find_patches(stars_, held_, inverted, rings)) > limit)
+        while (rings > 1 && count_free(find_patches(stars_, held_, inverted, rings)) > limit())
             rings /= 2;
         return rings;
+    }
+
+    std::size_t limit() const { return std::max(kFew, held_.size() / kShare); }
+
+    /// Let more vertices share in what the repair of the first ones has left of distortion.
+    void spread(std::vector<Patch> patches, UntangleResult& result)
+    {
+        if (count_free(patches) <= limit())
+            repair(std::move(patches), result);
     }
 
     static std::size_t count_free(const std::vector<Patch>& patches)
@@ -124,11 +133,18 @@ private:
         }
     }
 
+    /// What cannot be repaired must not keep its neighbours from it: it counts no more.
+    void give_up(const std::vector<Index>& elements)
+    {
+        for (const Index f : elements)
+            given_up_[at(f)] = 1;
+    }
+
     std::vector<Index> mendable(const UntangleResult& result) const
     {
         std::vector<Index> list;
-        std::set_difference(result.inverted.begin(), result.inverted.end(), result.hopeless.begin(),
-                            result.hopeless.end(), std::back_inserter(list));
+        std::copy_if(result.inverted.begin(), result.inverted.end(), std::back_inserter(list),
+                     [&](Index f) { return !given_up_[at(f)]; });
         return list;
     }
 
@@ -146,11 +162,12 @@ private:
         return false;
     }
 
-    void repair(std::vector<Patch> patches, UntangleResult& result)
+    /// Repair what can be; @p anyhow: also move the vertices of patches that are not.
+    void repair(std::vector<Patch> patches, UntangleResult& result, bool anyhow = false)
     {
         std::vector<int> iterations(patches.size());
         parallel_for(patches.size(), 1,
-                     [&](std::size_t i, std::size_t) { iterations[i] = repair(patches[i]); });
+                     [&](std::size_t i, std::size_t) { iterations[i] = repair(patches[i], anyhow); });
         for (std::size_t i = 0; i < patches.size(); ++i) {
             result.patch_vertices += patches[i].free;
             result.iterations += iterations[i];
@@ -161,16 +178,15 @@ private:
         certify(result);
     }
 
-    /// Move the free vertices of a patch if that repairs it.
-    int repair(Patch& patch)
+    int repair(Patch& patch, bool anyhow)
     {
-        set_targets(patch, stars_, reference_);
+        set_targets(patch, stars_, reference_, given_up_);
         PlanePositions x;
         for (const Index v : patch.vertices)
             x.emplace_back(positions_(v, 0), positions_(v, 1));
         const PatchResult outcome =
             minimize(patch, {options_.size, options_.exponent}, options_.iterations, x);
-        for (Index i = 0; outcome.positive && i < patch.free; ++i) {
+        for (Index i = 0; (outcome.positive || anyhow) && i < patch.free; ++i) {
             positions_(patch.vertices[at(i)], 0) = x[at(i)].real();
             positions_(patch.vertices[at(i)], 1) = x[at(i)].imag();
         }
@@ -182,7 +198,8 @@ private:
     const PositionsView& reference_;
     Eigen::Ref<Points>& positions_;
     const UntangleOptions& options_;
-    std::vector<char> held_; // by the vertex that stands for it
+    std::vector<char> held_;     // by the vertex that stands for it
+    std::vector<char> given_up_; // by element
 };
 
 } // namespace

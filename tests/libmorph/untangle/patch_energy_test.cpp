@@ -24,7 +24,7 @@ struct Case {
         for (const VertexHandle v : mesh.kernel.vertices())
             held[static_cast<std::size_t>(v.idx())] = static_cast<char>(mesh.kernel.is_boundary(v));
         patch = find_patches(stars, held, {}, -1).at(0);
-        set_targets(patch, stars, points(mesh));
+        set_targets(patch, stars, points(mesh), std::vector<char>(stars.elements.size()));
         for (const Index v : patch.vertices)
             x.emplace_back(points(mesh)(v, 0), points(mesh)(v, 1));
     }
