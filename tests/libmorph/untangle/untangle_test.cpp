@@ -270,6 +270,34 @@ TEST(Untangle, RepairsTheRestBesideAHopelessElement)
     EXPECT_EQ(result.inverted, std::vector<Index>{flat});
 }
 
+TEST(Untangle, RepairsTheRestWhereNoPlaceForAFreeVertexIsValid)
+{
+    const Mesh mesh = build_mesh(test::uneven_square(16));
+    std::vector<Index> held = boundary_vertices(mesh);
+    Points x = points(mesh);
+    Index middle = 0;
+    (x.rowwise() - Eigen::RowVector3d(0.5, 0.5, 0)).rowwise().norm().minCoeff(&middle);
+    // The ring around a vertex is held and pushed together onto a line: no triangle in it can be positive,
+    // but each has a vertex that is free.
+    std::vector<Index> ring;
+    for (const VertexHandle v : mesh.kernel.vv_range(VertexHandle(middle)))
+        ring.push_back(v.idx());
+    held.insert(held.end(), ring.begin(), ring.end());
+    shake(held, 0.03, x);
+    for (const Index v : ring)
+        x(v, 1) = 0.5 + 0.01 * (x(v, 0) - 0.5);
+    const UntangleResult result = untangle(mesh, points(mesh), held, x);
+    EXPECT_FALSE(result.valid);
+    EXPECT_EQ(result.inverted, inverted_elements(mesh, x));
+    ring.push_back(middle);
+    for (const Index f : result.inverted) {
+        const Element e = element_corners(mesh, f);
+        EXPECT_TRUE(std::any_of(e.begin(), e.begin() + 3, [&](Index v) {
+            return std::find(ring.begin(), ring.end(), v) != ring.end();
+        })) << f;
+    }
+}
+
 TEST(Untangle, KeepsTheCopiesOfASplitVertexTogether)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
