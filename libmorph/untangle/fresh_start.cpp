@@ -54,7 +54,7 @@ std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const Stars& stars, c
 
 } // namespace
 
-std::optional<Points> fresh_start(const Mesh& mesh, const Stars& stars, const PositionsView& reference,
+std::optional<Matrix> spread_move(const Mesh& mesh, const Stars& stars, const PositionsView& reference,
                                   const std::vector<char>& held, const PositionsView& positions)
 {
     std::vector<Index> list;
@@ -64,19 +64,13 @@ std::optional<Points> fresh_start(const Mesh& mesh, const Stars& stars, const Po
     Matrix move(static_cast<Index>(list.size()), 2);
     for (Index i = 0; i < move.rows(); ++i)
         move.row(i) = (positions.row(list[at(i)]) - reference.row(list[at(i)])).head<2>();
-    Points start = positions;
     try {
-        const Matrix spread =
-            DirichletProblem(reference, weighted_edges(mesh, stars, reference), list).solve(move);
-        for (Index v = 0; v < start.rows(); ++v)
-            if (const Index first = stars.vertex_of[at(v)]; !held[at(first)])
-                start.row(v).head<2>() = reference.row(first).head<2>() + spread.row(first);
+        return DirichletProblem(reference, weighted_edges(mesh, stars, reference), list).solve(move);
     } catch (const InputError&) {
         return std::nullopt;
     } catch (const SolverError&) {
         return std::nullopt;
     }
-    return start;
 }
 
 } // namespace morph

@@ -61,20 +61,9 @@ public:
     {
         give_up(result.hopeless);
         const std::vector<Index> first = mendable(result);
-        const Points before = positions_;
         int rings = grow_patches(result);
-        if (!mendable(result).empty()) {
-            start_afresh(result);
-            rings = grow_patches(result);
-        }
         if (!mendable(result).empty())
-            repair(find_patches(stars_, held_, {}, kWholeMesh), result, true);
-        if (!mendable(result).empty()) {
-            give_up(mendable(result));
-            positions_ = before;
-            certify(result);
-            rings = grow_patches(result);
-        }
+            rings = start_afresh(result);
         spread(find_patches(stars_, held_, first, rings), result);
     }
 
@@ -124,13 +113,27 @@ private:
         return sum;
     }
 
-    /// Forget where the free vertices are.
-    void start_afresh(UntangleResult& result)
+    /// Forget where the free vertices are, and take the whole mesh if need be; what even then stays inverted
+    /// is left out of another try from where they were. Returns the number of rings that comes next.
+    int start_afresh(UntangleResult& result)
     {
-        if (const auto start = fresh_start(mesh_, stars_, reference_, held_, positions_)) {
-            positions_ = *start;
-            certify(result);
-        }
+        const auto move = spread_move(mesh_, stars_, reference_, held_, positions_);
+        const Points before = positions_;
+        for (std::size_t v = 0; move && v < held_.size(); ++v)
+            if (const Index first = stars_.vertex_of[v]; !held_[at(first)])
+                positions_.row(static_cast<Index>(v)).head<2>() =
+                    reference_.row(first).head<2>() + move->row(first);
+        certify(result);
+        const int rings = grow_patches(result);
+        if (!mendable(result).empty())
+            repair(find_patches(stars_, held_, {}, kWholeMesh), result, true);
+        const std::vector<Index> left = mendable(result);
+        if (left.empty())
+            return rings;
+        give_up(left);
+        positions_ = before;
+        certify(result);
+        return grow_patches(result);
     }
 
     /// What cannot be repaired must not keep its neighbours from it: it counts no more.
