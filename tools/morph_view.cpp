@@ -5,10 +5,9 @@
 #include "libmorph/quality/quality.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
+#include "tools/picture/image_kind.h"
 #include "tools/picture/picture.h"
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -27,24 +26,6 @@ struct Options {
     std::string from;
     picture::PictureOptions picture;
 };
-
-std::string extension_of(const std::string& path)
-{
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-picture::ImageKind image_kind(const std::string& path)
-{
-    const std::string extension = extension_of(path);
-    if (extension == ".png")
-        return picture::ImageKind::png;
-    if (extension == ".svg")
-        return picture::ImageKind::svg;
-    throw InputError(path + ": pictures are written as .png or .svg, not '" + extension + "'");
-}
 
 /// @throws UsageError  not four finite numbers xmin,ymin,xmax,ymax with xmin < xmax and ymin < ymax
 picture::Box parse_zoom(const std::string& text)
@@ -72,7 +53,7 @@ picture::Box parse_zoom(const std::string& text)
 void refuse_case_files(const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths)
-        if (extension_of(path) == ".toml")
+        if (picture::lower_extension(path) == ".toml")
             throw InputError(path + ": case files cannot be shown, only mesh files; draw the mesh it names");
 }
 
@@ -157,7 +138,7 @@ int view(int argc, char** argv)
     if (!options.zoom.empty())
         options.picture.zoom = parse_zoom(options.zoom);
     refuse_case_files(options.meshes);
-    const picture::ImageKind kind = image_kind(options.out);
+    const picture::ImageKind kind = picture::image_kind(options.out);
     OutputFiles::require_writable(options.out);
     Report report(line.common());
     OutputFiles outputs;

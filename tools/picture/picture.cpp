@@ -94,18 +94,17 @@ void require_zoom_shows_something(const Box& zoom, const Box& domain)
                          range(domain.xmin, domain.xmax) + ", y " + range(domain.ymin, domain.ymax));
 }
 
-/// Around the inverted element with the smallest scaled Jacobian of the last scene that has one.
-std::optional<Box> worst_spot(const std::vector<Scene>& scenes)
+/// Around the element with the smallest scaled Jacobian: of the last scene with inverted ones, or, when even
+/// a valid one is wanted, of the last scene.
+std::optional<Box> worst_spot(const std::vector<Scene>& scenes, bool even_valid)
 {
-    const auto scene =
+    auto scene =
         std::find_if(scenes.rbegin(), scenes.rend(), [](const Scene& s) { return !s.inverted.empty(); });
+    if (scene == scenes.rend() && even_valid)
+        scene = scenes.rbegin();
     if (scene == scenes.rend())
         return std::nullopt;
-    const Mesh& mesh = *scene->flat.mesh;
-    const auto quality = element_quality(mesh, points(mesh));
-    const auto jacobian = [&](Index f) { return quality[static_cast<std::size_t>(f)].scaled_jacobian; };
-    const Index worst = *std::min_element(scene->inverted.begin(), scene->inverted.end(),
-                                          [&](Index a, Index b) { return jacobian(a) < jacobian(b); });
+    const Index worst = quality_report(*scene->flat.mesh).worst.front().face;
     const Element& element = scene->flat.elements[static_cast<std::size_t>(worst)];
     const auto& place = scene->flat.place;
     Box box{place(element[0], 0), place(element[0], 1), place(element[0], 0), place(element[0], 1)};
@@ -191,7 +190,7 @@ private:
             require_zoom_shows_something(*options_.zoom, domain_);
             main = *options_.zoom;
         }
-        const auto spot = options_.zoom ? std::nullopt : worst_spot(scenes_);
+        const auto spot = options_.zoom ? std::nullopt : worst_spot(scenes_, options_.close_up);
         columns_ = scenes_.size() == 2 || spot ? 2 : 1;
         aspect_ = std::clamp(main.width() / main.height(), columns_ == 1 ? 1.2 : 1.0, 2.0);
         for (std::size_t i = 0; i < scenes_.size(); ++i)

@@ -21,7 +21,8 @@ struct PictureOptions {
     std::string title;       ///< empty: none
     std::optional<Box> zoom; ///< default: the bodies, with the whole domain as an inset
     bool edges = true;
-    int width = 0; ///< pixels (PNG) or points (SVG); 0: a good one
+    bool close_up = false; ///< show the worst element from near though none is inverted
+    int width = 0;         ///< pixels (PNG) or points (SVG); 0: a good one
 };
 
 /// Smallest and largest width of a picture.
