@@ -64,6 +64,8 @@ private:
         q.inverted = is_inverted(shape);
         q.area = shape.area;
         q.jacobian = shape.jacobian;
+        if (shape.corners == 3)
+            q.jacobian[3] = shape.jacobian[2];
         q.min_jacobian = min_jacobian(shape);
         q.scaled_jacobian = scaled_jacobian(shape);
         q.min_angle = angles.min;

@@ -16,7 +16,7 @@ using PositionsView = Eigen::Ref<const Points>;
 struct ElementQuality {
     bool inverted = false;
     double area = 0;
-    std::array<double, 4> jacobian{}; ///< of each corner; the fourth of a triangle is 0
+    std::array<double, 4> jacobian{}; ///< of each corner; those of a triangle are the same
     double min_jacobian = 0;
     double scaled_jacobian = 0;
     double min_angle = 0;

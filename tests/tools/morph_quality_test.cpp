@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <sstream>
 
@@ -76,6 +77,15 @@ std::vector<std::string> lines_of(const std::string& text)
     return lines;
 }
 
+std::vector<std::string> cells_of(const std::string& line)
+{
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');)
+        cells.push_back(cell);
+    return cells;
+}
+
 TEST(MorphQuality, FindsNothingWrongWithTheRealMeshes)
 {
     for (const std::string& path : test::real_meshes()) {
@@ -132,8 +142,8 @@ TEST(MorphQuality, CountsListsAndReportsInvertedElementsAsAPlainCountDoes)
 TEST(MorphQuality, GivesTheSameBytesForAnyNumberOfThreads)
 {
     const std::string mesh = real("rae2822_turb.su2");
-    const ProcessResult one = quality({mesh, "--json", "-", "--threads", "1"});
-    const ProcessResult three = quality({mesh, "--json", "-", "--threads", "3"});
+    const ProcessResult one = quality({mesh, "--reference", mesh, "--json", "-", "--threads", "1"});
+    const ProcessResult three = quality({mesh, "--reference", mesh, "--json", "-", "--threads", "3"});
     EXPECT_EQ(one.status, 0);
     EXPECT_EQ(one.output, three.output);
 }
@@ -169,6 +179,148 @@ TEST(MorphQuality, MatchesTheReferenceByTheNumbersOfTheFiles)
     constexpr double kTurnTol = 1e-9; // areas of 1e-10 and so from differences of coordinates of size 1
     EXPECT_NEAR(with_turned["mean_size_skew"], with_itself["mean_size_skew"].get<double>(), kTurnTol);
     EXPECT_NEAR(with_turned["min_size_skew"], with_itself["min_size_skew"].get<double>(), kTurnTol);
+}
+
+TEST(MorphQuality, WritesEveryMetricOfEveryElementAsCsvAndVtu)
+{
+    for (const std::string& mesh : {real("naca0012_lam_hybrid.su2"), real("ls89.su2")}) {
+        const TemporaryFolder folder;
+        const ProcessResult result = quality({mesh, "--reference", mesh, "--csv", folder.file("all.csv"),
+                                              "--vtu", folder.file("all.vtu"), "--quiet"});
+        ASSERT_EQ(result.status, 0) << result.errors;
+        const MeshData data = read_mesh_data(mesh);
+        const MeshData metrics = read_mesh_data(folder.file("all.vtu"));
+        const auto lines = lines_of(test::read_text(folder.file("all.csv")));
+        ASSERT_EQ(lines.size(), data.elements.size() + 1);
+        const auto names = cells_of(lines[0]);
+        EXPECT_EQ(names.size(), 5U + 12U);
+        for (const std::size_t id : {std::size_t{0}, data.elements.size() / 2, data.elements.size() - 1}) {
+            const auto cells = cells_of(lines[id + 1]);
+            ASSERT_EQ(cells.size(), names.size());
+            EXPECT_EQ(cells[0], std::to_string(id));
+            for (std::size_t c = 5; c < names.size(); ++c) {
+                const Field* field = find_field(metrics.fields, names[c], FieldLocation::element);
+                ASSERT_NE(field, nullptr) << names[c];
+                EXPECT_EQ(field->values(static_cast<Index>(id), 0), std::stod(cells[c])) << names[c];
+            }
+        }
+    }
+}
+
+TEST(MorphQuality, ListsCornerJacobiansInTheOrderOfTheFilesCorners)
+{
+    const TemporaryFolder folder;
+    MeshData mesh = test::quad_square(2);
+    mesh.points.row(4) = Eigen::RowVector3d(0.6, 0.35, 0); // the middle one: all corners differ
+    for (Element& element : mesh.elements)
+        std::swap(element[1], element[3]); // clockwise, as some files list them
+    write_mesh_data(mesh, folder.file("mesh.su2"));
+    ASSERT_EQ(quality({folder.file("mesh.su2"), "--vtu", folder.file("m.vtu"), "--quiet"}).status, 0);
+    const MeshData metrics = read_mesh_data(folder.file("m.vtu"));
+    for (std::size_t e = 0; e < 4; ++e)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Element& q = mesh.elements[e];
+            const Field* field = find_field(metrics.fields, "corner_jacobian_" + std::to_string(k + 1),
+                                            FieldLocation::element);
+            ASSERT_NE(field, nullptr);
+            EXPECT_DOUBLE_EQ(field->values(static_cast<Index>(e), 0),
+                             -twice_area(mesh, q[k], q[(k + 1) % 4], q[(k + 3) % 4]));
+        }
+}
+
+TEST(MorphQuality, TellsTheWorstElementsWithTheirPlace)
+{
+    const TemporaryFolder folder;
+    const MeshData data = shaken("naca0012_lam_hybrid.su2", 1e-3, folder.file("moved.su2"));
+    const ProcessResult result =
+        quality({folder.file("moved.su2"), "--json", folder.file("r.json"), "--csv", folder.file("all.csv")});
+    ASSERT_EQ(result.status, 3) << result.errors;
+    const json report = json::parse(test::read_text(folder.file("r.json")));
+    const auto lines = lines_of(test::read_text(folder.file("all.csv")));
+    std::vector<std::pair<double, Index>> ranked;
+    for (std::size_t id = 0; id < data.elements.size(); ++id)
+        ranked.emplace_back(std::stod(cells_of(lines[id + 1])[7]), static_cast<Index>(id));
+    std::sort(ranked.begin(), ranked.end());
+    ASSERT_EQ(report["worst"].size(), 10U);
+    for (std::size_t i = 0; i < 10; ++i) {
+        const json& worst = report["worst"][i];
+        const Element& element = data.elements[worst["id"].get<std::size_t>()];
+        const int corners = corner_count(element);
+        EXPECT_EQ(worst["id"], ranked[i].second);
+        EXPECT_EQ(worst["scaled_jacobian"], ranked[i].first);
+        EXPECT_EQ(worst["type"], corners == 3 ? "triangle" : "quad");
+        EXPECT_EQ(worst["corner_jacobians"].size(), static_cast<std::size_t>(corners));
+        EXPECT_EQ(worst["inverted"], true);
+        double x = 0;
+        for (int k = 0; k < corners; ++k)
+            x += data.points(element[static_cast<std::size_t>(k)], 0) / corners;
+        EXPECT_NEAR(worst["centroid"][0], x, 1e-12);
+        EXPECT_EQ(worst["nearest_marker"], "airfoil"); // its cells are far smaller than the shaking
+        EXPECT_THAT(result.output, HasSubstr(std::to_string(ranked[i].second) + " "));
+    }
+}
+
+TEST(MorphQuality, CountsEveryElementInItsHistograms)
+{
+    const TemporaryFolder folder;
+    const MeshData data = shaken("naca0012_inv.su2", 1e-3, folder.file("moved.su2"));
+    const ProcessResult result = quality({folder.file("moved.su2"), "--json", folder.file("r.json")});
+    const json report = json::parse(test::read_text(folder.file("r.json")));
+    for (const char* metric : {"scaled_jacobian", "min_angle"}) {
+        const json histogram = report["histograms"][metric];
+        EXPECT_EQ(histogram["edges"].size(), histogram["counts"].size() + 1);
+        std::size_t counted = report["inverted"];
+        for (const json& count : histogram["counts"])
+            counted += count.get<std::size_t>();
+        EXPECT_EQ(counted, data.elements.size());
+    }
+    const std::string inverted = report["inverted"].dump();
+    EXPECT_THAT(result.output, HasSubstr("inverted" + std::string(10 - inverted.size(), ' ') + inverted));
+    EXPECT_THAT(result.output, HasSubstr("0.9 to   1"));
+    EXPECT_THAT(result.output, HasSubstr(std::string(40, '#') + "\n"));
+}
+
+TEST(MorphQuality, TellsWhatAMoveDidToTheCellsBesideTheWalls)
+{
+    const TemporaryFolder folder;
+    MeshData mesh = test::quad_square(4);
+    for (Index v = 0; v < mesh.points.rows(); ++v) // an even grid
+        mesh.points.row(v) << 0.25 * (v % 5), 0.25 * std::floor(v / 5.0), 0;
+    write_mesh_data(mesh, folder.file("before.su2"));
+    mesh.points.col(1) *= 0.9;
+    mesh.points.col(0) += mesh.points.col(1); // a shear of 45 degrees
+    write_mesh_data(mesh, folder.file("after.su2"));
+    const ProcessResult result = quality({folder.file("after.su2"), "--reference", folder.file("before.su2"),
+                                          "--json", folder.file("r.json")});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    constexpr double kTol = 1e-12; // coordinates of size one pass through a file that holds all digits
+    for (const json& wall : json::parse(test::read_text(folder.file("r.json")))["walls"]) {
+        if (wall["marker"] != "bottom" && wall["marker"] != "top")
+            continue;
+        EXPECT_EQ(wall["cells"], 4);
+        EXPECT_NEAR(wall["first_cell_height"]["mean"], 0.225, kTol);
+        EXPECT_NEAR(wall["orthogonality"]["max"], 45, kTol * 90);
+        EXPECT_NEAR(wall["height_change"]["max"], 0.1, kTol);
+        EXPECT_NEAR(wall["orthogonality_change"]["max"], 45, kTol * 90);
+    }
+    EXPECT_THAT(result.output, HasSubstr("beside bottom: first cells 0.225 to 0.225 high"));
+    EXPECT_THAT(result.output, HasSubstr("changed at most by 10 % (element "));
+}
+
+TEST(MorphQuality, DrawsTheWorstSpotOfAValidMeshToo)
+{
+    const TemporaryFolder folder;
+    const ProcessResult result = quality({real("naca0012_inv.su2"), "--picture", folder.file("worst.svg")});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_THAT(test::read_text(folder.file("worst.svg")), testing::StartsWith("<?xml"));
+    ASSERT_EQ(quality({real("naca0012_inv.su2"), "--picture", folder.file("worst.png")}).status, 0);
+    const std::string png = test::read_text(folder.file("worst.png"));
+    EXPECT_THAT(png, testing::StartsWith("\x89PNG"));
+    // Two panels beside each other are 2100 pixels wide; one alone would have 1600.
+    EXPECT_EQ(png.substr(16, 4), std::string("\0\0\x08\x34", 4));
+    const ProcessResult refused = quality({real("naca0012_inv.su2"), "--picture", folder.file("worst.gif")});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("written as .png or .svg, not '.gif'"));
 }
 
 TEST(MorphQuality, SaysBothCountsWhenTheReferenceIsAnotherMesh)
