@@ -66,79 +66,66 @@ struct Move {
     }
 };
 
-/// An element that the whole move would invert, and about when.
-struct Candidate {
-    Index face = 0;
-    double time = 0;
-};
-
-std::vector<Candidate> inverted_on_the_way(const Move& move)
-{
-    const auto elements = static_cast<std::size_t>(element_count(move.mesh));
-    std::vector<std::vector<Candidate>> found((elements + kGrain - 1) / kGrain);
-    parallel_for(elements, kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            const MovingElement element = move.element(static_cast<Index>(f));
-            if (!element.is_valid_until(1))
-                found[begin / kGrain].push_back({static_cast<Index>(f), element.turning_time()});
-        }
-    });
-    std::vector<Candidate> all;
-    for (const std::vector<Candidate>& part : found)
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
-/// The largest double up to which an element stays valid, given one up to which it does not: bisection over
-/// the doubles, which from 0 upwards are in the order of their bits. 0 when there is none.
+/// The largest double up to which an element stays valid, given a positive one up to which it does not; 0
+/// when there is none.
 double last_valid_time(const MovingElement& element, double invalid)
 {
-    std::uint64_t low = 0;
+    // Doubles from 0 upwards are in the order of their bits. The estimate is a few of them off as a rule:
+    // from it outwards until the last valid one is enclosed, then bisection.
+    constexpr std::uint64_t kWiden = 8;
+    const auto valid = [&](std::uint64_t bits) {
+        return element.is_valid_until(std::bit_cast<double>(bits));
+    };
     auto high = std::bit_cast<std::uint64_t>(invalid);
+    std::uint64_t low = std::min(std::bit_cast<std::uint64_t>(element.turning_time()), high - 1);
+    for (std::uint64_t reach = 1; low > 0 && !valid(low); reach *= kWiden) {
+        high = low;
+        low -= std::min(low, reach);
+    }
+    for (std::uint64_t reach = 1; high - low > reach; reach *= kWiden) {
+        if (!valid(low + reach)) {
+            high = low + reach;
+            break;
+        }
+        low += reach;
+    }
     while (high - low > 1) {
         const std::uint64_t middle = low + (high - low) / 2;
-        (element.is_valid_until(std::bit_cast<double>(middle)) ? low : high) = middle;
+        (valid(middle) ? low : high) = middle;
     }
     return std::bit_cast<double>(low);
 }
 
-/// The least over some elements of the time up to which they stay valid, or @p least when none allows less.
-double least_valid_time(const Move& move, const Candidate* begin, const Candidate* end, double least)
+/// For each block of elements the largest double up to which all of them stay valid, at most 1.
+std::vector<double> valid_times(const Move& move)
 {
-    for (const Candidate* c = begin; c != end; ++c) {
-        const MovingElement element = move.element(c->face);
-        if (!element.is_valid_until(least))
-            least = last_valid_time(element, least);
-    }
-    return least;
-}
-
-double least_valid_time(const Move& move, const std::vector<Candidate>& candidates)
-{
-    // The element that seems to be the first rules out nearly all others with one look at each.
-    const auto first =
-        std::min_element(candidates.begin(), candidates.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.time < b.time; });
-    const double bound = least_valid_time(move, &*first, &*first + 1, 1);
-    std::vector<double> least((candidates.size() + kGrain - 1) / kGrain);
-    parallel_for(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        least[begin / kGrain] =
-            least_valid_time(move, candidates.data() + begin, candidates.data() + end, bound);
+    const auto elements = static_cast<std::size_t>(element_count(move.mesh));
+    std::vector<double> times((elements + kGrain - 1) / kGrain, 1);
+    parallel_for(elements, kGrain, [&](std::size_t begin, std::size_t end) {
+        double& time = times[begin / kGrain];
+        for (std::size_t f = begin; f < end && time > 0; ++f) {
+            const MovingElement element = move.element(static_cast<Index>(f));
+            if (!element.is_valid_until(time))
+                time = last_valid_time(element, time);
+        }
     });
-    return *std::min_element(least.begin(), least.end());
+    return times;
 }
 
-/// Lowest file number of the elements that are not valid up to a time.
-Index first_invalid(const Move& move, const std::vector<Candidate>& candidates, double time)
+/// Lowest file number of the elements that are not valid up to the double after @p step, the least of the
+/// times of the blocks.
+Index limiting_element(const Move& move, const std::vector<double>& times, double step)
 {
-    constexpr Index kNone = std::numeric_limits<Index>::max();
-    std::vector<Index> lowest((candidates.size() + kGrain - 1) / kGrain, kNone);
-    parallel_for(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> lowest(times.size(), std::numeric_limits<Index>::max());
+    const auto elements = static_cast<std::size_t>(element_count(move.mesh));
+    parallel_for(elements, kGrain, [&](std::size_t begin, std::size_t end) {
+        if (times[begin / kGrain] > step)
+            return;
         Index& low = lowest[begin / kGrain];
-        for (std::size_t i = begin; i < end; ++i) {
-            const Index face = candidates[i].face;
-            const Index number = move.mesh.numbering.element[static_cast<std::size_t>(face)];
-            if (number < low && !move.element(face).is_valid_until(time))
+        for (std::size_t f = begin; f < end; ++f) {
+            const Index number = move.mesh.numbering.element[f];
+            const bool lower = number < low;
+            if (lower && !move.element(static_cast<Index>(f)).is_valid_until(std::nextafter(step, 1)))
                 low = number;
         }
     });
@@ -162,11 +149,11 @@ SafeStep safe_step(const Mesh& mesh, const PositionsView& before, const Position
 {
     require_planar(mesh, before, after);
     const Move move{mesh, before, after};
-    const std::vector<Candidate> candidates = inverted_on_the_way(move);
-    if (candidates.empty())
+    const std::vector<double> times = valid_times(move);
+    const double step = times.empty() ? 1 : *std::min_element(times.begin(), times.end());
+    if (step == 1)
         return {};
-    const double step = least_valid_time(move, candidates);
-    return {step, first_invalid(move, candidates, std::nextafter(step, 1))};
+    return {step, limiting_element(move, times, step)};
 }
 
 } // namespace morph

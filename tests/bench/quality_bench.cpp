@@ -2,8 +2,10 @@
 // same elements.
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/element_place.h"
 #include "libmorph/quality/quality.h"
 #include "libmorph/quality/safe_step.h"
+#include "libmorph/quality/wall.h"
 #include "tests/bench/bench_meshes.h"
 
 #include <benchmark/benchmark.h>
@@ -37,6 +39,20 @@ void BM_QualityReportWithReference(benchmark::State& state)
     const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
     for (auto _ : state)
         benchmark::DoNotOptimize(quality_report(mesh, points(mesh), points(mesh)));
+    state.SetItemsProcessed(state.iterations() * element_count(mesh));
+}
+
+/// All that morph-quality tells: the worst elements' places and the cells beside the walls too.
+void BM_FullReportWithReference(benchmark::State& state)
+{
+    const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));
+    const PositionsView reference = points(mesh);
+    for (auto _ : state) {
+        const QualityReport report = quality_report(mesh, points(mesh), reference);
+        for (const WorstElement& worst : report.worst)
+            benchmark::DoNotOptimize(element_place(mesh, points(mesh), worst.face));
+        benchmark::DoNotOptimize(wall_quality(mesh, points(mesh), &reference));
+    }
     state.SetItemsProcessed(state.iterations() * element_count(mesh));
 }
 
@@ -92,6 +108,7 @@ BENCHMARK(BM_QualityReport)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(BM_QualityReportWithReference)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_FullReportWithReference)->Args({500000})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(BM_SafeStep)
     ->Args({500000, 1, 0})
     ->Args({500000, 2, 0})
