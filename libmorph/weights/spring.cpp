@@ -1,0 +1,159 @@
+#include "libmorph/weights/spring.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/numerics/dirichlet.h"
+#include "libmorph/weights/element_spread.h"
+#include "libmorph/weights/held_vertices.h"
+
+#include <cmath>
+#include <string>
+
+namespace morph {
+
+namespace {
+
+/// length^-p
+double stiffness_of(double length, SpringStiffness stiffness)
+{
+    return stiffness == SpringStiffness::inverse_length ? 1 / length : 1 / (length * length);
+}
+
+std::string name_of(const Mesh& mesh, Index vertex)
+{
+    return std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(vertex)]);
+}
+
+std::vector<WeightedEdge> springs(const Mesh& mesh, const std::vector<Index>& representatives,
+                                  SpringStiffness stiffness)
+{
+    std::vector<WeightedEdge> edges;
+    edges.reserve(mesh.kernel.n_edges());
+    for (const auto edge : mesh.kernel.edges()) {
+        const Index from = edge.v0().idx(), to = edge.v1().idx();
+        const double length = (points(mesh).row(from) - points(mesh).row(to)).norm();
+        if (!(length > 0))
+            throw InputError("the edge between vertices " + name_of(mesh, from) + " and " +
+                             name_of(mesh, to) + " has no length: no spring can stand for it");
+        edges.push_back({representatives[static_cast<std::size_t>(from)],
+                         representatives[static_cast<std::size_t>(to)], stiffness_of(length, stiffness)});
+    }
+    return edges;
+}
+
+class SpringSpread final : public Spread {
+public:
+    SpringSpread(const Mesh& mesh, const HeldBoundary& held, SpringStiffness stiffness)
+        : held_(mesh, held),
+          problem_(points(mesh), springs(mesh, held_.representatives(), stiffness), held_.vertices())
+    {
+    }
+
+    Matrix spread(const Matrix& values) const override
+    {
+        const Matrix joined = held_.join(values);
+        Matrix h = problem_.solve(joined);
+        held_.finish(joined, h);
+        return h;
+    }
+
+private:
+    HeldVertices held_;
+    DirichletProblem problem_;
+};
+
+/// One corner of an element: a vertex between its two neighbours.
+struct Corner {
+    Eigen::Vector2d forth, back; // to the next and the previous vertex
+    double twice_area;
+};
+
+Corner corner_of(const ElementPoints& element, int i)
+{
+    const Eigen::Vector2d& here = element.at[static_cast<std::size_t>(i)];
+    Corner c{element.next(i) - here, element.previous(i) - here, 0};
+    c.twice_area = c.forth.x() * c.back.y() - c.forth.y() * c.back.x();
+    return c;
+}
+
+/// How some length or angle at a corner changes, to first order, with each of the three displacements.
+struct Change {
+    Eigen::Vector2d previous, here, next;
+};
+
+/// Of the angle: each edge turns by (edge x its displacement) / length^2.
+Change angle_change(const Corner& c)
+{
+    const Eigen::Vector2d next = Eigen::Vector2d(-c.forth.y(), c.forth.x()) / c.forth.squaredNorm();
+    const Eigen::Vector2d previous = -Eigen::Vector2d(-c.back.y(), c.back.x()) / c.back.squaredNorm();
+    return {previous, -previous - next, next};
+}
+
+/// Of the height over the line through the neighbours, whose displacement is interpolated at its foot.
+Change height_change(const Corner& c)
+{
+    const Eigen::Vector2d base = c.back - c.forth;
+    const Eigen::Vector2d normal = Eigen::Vector2d(-base.y(), base.x()).normalized();
+    const double foot = -c.forth.dot(base) / base.squaredNorm(); // 0: at the next vertex, 1: at the previous
+    return {-foot * normal, normal, (foot - 1) * normal};
+}
+
+/// Add @p spring (change)^2 / 2 to the energy of the element.
+void add_corner(const ElementPoints& element, int i, const Change& change, double spring, PatchMatrix& Q)
+{
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * element.corners);
+    gradient.segment<2>(2 * ((i + element.corners - 1) % element.corners)) += change.previous;
+    gradient.segment<2>(2 * i) += change.here;
+    gradient.segment<2>(2 * ((i + 1) % element.corners)) += change.next;
+    gradient *= std::sqrt(spring);
+    Q += gradient * gradient.transpose();
+}
+
+double torsion_stiffness(const Corner& c, SpringStiffness stiffness)
+{
+    const double lengths = c.forth.norm() * c.back.norm(), sine = c.twice_area / lengths;
+    return (stiffness == SpringStiffness::inverse_length ? std::sqrt(lengths) : 1) / (sine * sine);
+}
+
+double ball_stiffness(const Corner& c, SpringStiffness stiffness)
+{
+    return stiffness_of(std::abs(c.twice_area) / (c.forth - c.back).norm(), stiffness);
+}
+
+/// The edge from corner i to the next; the element beside it has the other half.
+void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, PatchMatrix& Q)
+{
+    const Eigen::Vector2d edge = element.next(i) - element.at[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d along = edge.normalized();
+    add_corner(element, i, {Eigen::Vector2d::Zero(), -along, along},
+               0.5 * stiffness_of(edge.norm(), stiffness), Q);
+}
+
+} // namespace
+
+std::unique_ptr<Spread> spring_spread(const Mesh& mesh, const HeldBoundary& held, SpringStiffness stiffness)
+{
+    return std::make_unique<SpringSpread>(mesh, held, stiffness);
+}
+
+std::unique_ptr<VectorSpread> braced_spring_spread(const Mesh& mesh, const HeldBoundary& held,
+                                                   SpringStiffness stiffness, SpringBracing bracing)
+{
+    const auto energy = [&](const ElementPoints& element, PatchMatrix& Q) {
+        for (int i = 0; i < element.corners; ++i) {
+            const Corner corner = corner_of(element, i);
+            if (!(corner.twice_area != 0))
+                throw InputError(
+                    "element " +
+                    std::to_string(mesh.numbering.element[static_cast<std::size_t>(element.element)]) +
+                    " has three corners on a line: no spring can brace that");
+            add_edge(element, i, stiffness, Q);
+            if (bracing == SpringBracing::torsion)
+                add_corner(element, i, angle_change(corner), torsion_stiffness(corner, stiffness), Q);
+            else
+                add_corner(element, i, height_change(corner), ball_stiffness(corner, stiffness), Q);
+        }
+    };
+    return std::make_unique<ElementSpread>(mesh, held, energy);
+}
+
+} // namespace morph
