@@ -1,0 +1,104 @@
+#include "libmorph/weights/elasticity.h"
+
+#include "formats/formats.h"
+#include "libmorph/core/error.h"
+#include "libmorph/mesh/builder.h"
+#include "tests/support/meshes.h"
+#include "tests/support/spreads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+namespace {
+
+using namespace morph;
+using test::values_at;
+using test::whole_boundary;
+
+constexpr double kSolveTol = 1e-11; // one sparse solve of some hundred unknowns
+
+class ElasticSpreadOf : public testing::TestWithParam<MeshData (*)(Index)> {};
+
+INSTANTIATE_TEST_SUITE_P(Squares, ElasticSpreadOf, testing::Values(&test::uneven_square, &test::quad_square));
+
+TEST_P(ElasticSpreadOf, ASquareFollowsEveryAffineMoveOfItsBoundary)
+{
+    const Mesh mesh = build_mesh(GetParam()(12));
+    const HeldBoundary held = whole_boundary(mesh, "top");
+    const auto affine = [](double x, double y) {
+        return Eigen::RowVector2d(0.1 + 0.5 * x - 2 * y, -3 + 0.4 * x + 0.9 * y);
+    };
+    for (const double ratio : {-0.9, 0.0, 0.3, 0.49}) {
+        const auto spread = elastic_spread(mesh, held, {YoungsModulus::uniform, ratio});
+        const Matrix exact = values_at(mesh, affine);
+        EXPECT_LE((spread->spread(values_at(mesh, held.vertices, affine)) - exact).norm(),
+                  kSolveTol * exact.norm())
+            << ratio;
+    }
+}
+
+constexpr double kRatio = 0.2;
+
+/// A displacement without body force in plane strain: kappa phi - z conj(phi') with phi = z^2 and
+/// kappa = 3 - 4 nu [Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, section
+/// 32].
+Eigen::RowVector2d without_force(double x, double y)
+{
+    const std::complex<double> z(x, y);
+    const std::complex<double> w = (3 - 4 * kRatio) * z * z - 2 * std::norm(z);
+    return {w.real(), w.imag()};
+}
+
+/// Root mean square error against without_force().
+double error_of(const MeshData& data)
+{
+    const Mesh mesh = build_mesh(data);
+    const HeldBoundary held = whole_boundary(mesh, "top");
+    const auto spread = elastic_spread(mesh, held, {YoungsModulus::uniform, kRatio});
+    const Points2 u = spread->spread(values_at(mesh, held.vertices, without_force));
+    return (u - values_at(mesh, without_force)).norm() / std::sqrt(static_cast<double>(u.rows()));
+}
+
+TEST_P(ElasticSpreadOf, ASquareConvergesToTheExactSolutionWithOrderTwo)
+{
+    const double coarse = error_of(GetParam()(10)), middle = error_of(GetParam()(20)),
+                 fine = error_of(GetParam()(40));
+    EXPECT_LE(fine, 2e-3); // the displacement is of size 1
+    EXPECT_NEAR(std::log2(coarse / middle), 2, 0.3);
+    EXPECT_NEAR(std::log2(middle / fine), 2, 0.3);
+}
+
+TEST(ElasticSpread, TurnsAnAirfoilByARightAngleWhenSmallElementsAreStiff)
+{
+    for (const char* file : {"naca0012_inv", "naca0012_lam_hybrid"}) {
+        const Mesh mesh = read_mesh(test::data_path("meshes/" + std::string(file) + ".su2"));
+        const HeldBoundary held = whole_boundary(mesh, "airfoil");
+        const Points2 turned = values_at(mesh, held.vertices, test::turned_airfoil(90));
+        EXPECT_EQ(test::inverted_by(mesh, elastic_spread(mesh, held, {})->spread(turned)), 0) << file;
+        const auto uniform = elastic_spread(mesh, held, {YoungsModulus::uniform, 0.3});
+        EXPECT_GT(test::inverted_by(mesh, uniform->spread(turned)), 1000) << file;
+    }
+}
+
+TEST(ElasticSpread, RefusesAnInvertedElementAndARatioOutOfRange)
+{
+    MeshData data = test::uneven_square(6);
+    const Mesh mesh = build_mesh(data);
+    const HeldBoundary held = whole_boundary(mesh, "top");
+    for (const double ratio : {-1.0, 0.5, std::nan("")})
+        EXPECT_THROW(elastic_spread(mesh, held, {YoungsModulus::uniform, ratio}), InputError);
+    HeldBoundary still = held;
+    still.moving_edges.clear();
+    EXPECT_THROW(elastic_spread(mesh, still, {YoungsModulus::inverse_distance, 0.3}), InputError);
+    Mesh tangled = mesh;
+    for (Index v = 0; v < vertex_count(mesh); ++v)
+        if (!mesh.kernel.is_boundary(VertexHandle(v))) {
+            points(tangled)(v, 0) += 0.4;
+            break;
+        }
+    EXPECT_THROW(elastic_spread(tangled, held, {}), InputError);
+}
+
+} // namespace
