@@ -3,9 +3,11 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
+#include "tests/support/errors.h"
 #include "tests/support/meshes.h"
 #include "tests/support/spreads.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,7 +84,7 @@ TEST(ElasticSpread, TurnsAnAirfoilByARightAngleWhenSmallElementsAreStiff)
     }
 }
 
-TEST(ElasticSpread, RefusesAnInvertedElementAndARatioOutOfRange)
+TEST(ElasticSpread, RefusesWhatIsNoSolidAtRest)
 {
     MeshData data = test::uneven_square(6);
     const Mesh mesh = build_mesh(data);
@@ -92,6 +94,10 @@ TEST(ElasticSpread, RefusesAnInvertedElementAndARatioOutOfRange)
     HeldBoundary still = held;
     still.moving_edges.clear();
     EXPECT_THROW(elastic_spread(mesh, still, {YoungsModulus::inverse_distance, 0.3}), InputError);
+    HeldBoundary hinged;
+    hinged.vertices = {held.vertices.front()};
+    EXPECT_THAT(test::message_of([&] { elastic_spread(mesh, hinged, {}); }),
+                testing::StartsWith("1 part of the mesh has fewer than 2 held vertices"));
     Mesh tangled = mesh;
     for (Index v = 0; v < vertex_count(mesh); ++v)
         if (!mesh.kernel.is_boundary(VertexHandle(v))) {
