@@ -93,6 +93,7 @@ Dissection of_unknowns(const Dissection& vertices, Index c)
 std::vector<HeldNeighbour> neighbours(const std::vector<HeldEntry>& entries, Index c)
 {
     std::vector<HeldNeighbour> found;
+    found.reserve(entries.size());
     for (const HeldEntry& e : entries)
         found.push_back({e.row / c, e.vertex});
     return found;
@@ -131,11 +132,11 @@ Matrix HeldSystem::solve(const Matrix& values) const
 Matrix HeldSystem::solve(const Matrix& values, const Matrix& load) const
 {
     const HeldPlaces& places = parts_->places;
-    const Index c = parts_->components;
+    const Eigen::Index c = parts_->components;
     if (values.rows() != parts_->held_count)
         throw InputError(std::to_string(values.rows()) + " rows of values are given for " +
                          std::to_string(parts_->held_count) + " held vertices");
-    const Index m = static_cast<Index>(values.cols()) / c;
+    const Eigen::Index m = values.cols() / c;
     if (m * c != values.cols() || load.cols() != values.cols() ||
         at(static_cast<Index>(load.rows())) != places.vertices())
         throw InputError("values in " + std::to_string(values.cols()) + " columns and loads in " +
@@ -145,15 +146,15 @@ Matrix HeldSystem::solve(const Matrix& values, const Matrix& load) const
     Matrix free(places.free_vertices() * c, m);
     for (Index v = 0; v < static_cast<Index>(places.vertices()); ++v)
         if (const Index row = places.row(v); row >= 0)
-            for (Index k = 0; k < c; ++k)
+            for (Eigen::Index k = 0; k < c; ++k)
                 free.row(row * c + k) = load.row(v).segment(k * m, m);
     for (const HeldEntry& e : parts_->held)
-        free.row(e.row) -= e.value * values.row(e.vertex).segment(e.component * m, m);
+        free.row(e.row) -= e.value * values.row(e.vertex).segment(m * e.component, m);
     parts_->factor.solve(free);
     Matrix u = Matrix::Zero(load.rows(), values.cols());
     for (Index v = 0; v < static_cast<Index>(places.vertices()); ++v)
         if (const Index row = places.row(v); row >= 0)
-            for (Index k = 0; k < c; ++k)
+            for (Eigen::Index k = 0; k < c; ++k)
                 u.row(v).segment(k * m, m) = free.row(row * c + k);
         else if (places.is_held(v))
             u.row(v) = values.row(places.held_row(v));

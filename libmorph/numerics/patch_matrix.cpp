@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1024; // vertices a thread takes at a time
 
-std::size_t at(Index i)
+std::size_t at(Eigen::Index i)
 {
     return static_cast<std::size_t>(i);
 }
@@ -94,46 +94,47 @@ private:
     void gather(std::size_t v)
     {
         const std::vector<Index> columns = neighbours(v);
-        Matrix rows = Matrix::Zero(c_, c_ * static_cast<Index>(columns.size()));
+        Matrix rows = Matrix::Zero(c_, c_ * static_cast<Eigen::Index>(columns.size()));
         PatchMatrix dense;
         for (std::size_t k = around_.start[v]; k < around_.start[v + 1]; ++k)
             add_patch(around_.patch[k], static_cast<Index>(v), columns, dense, rows);
-        for (Index k = 0; k < c_; ++k)
-            put(static_cast<Index>(v) * c_ + k, columns, rows.row(k));
+        for (Eigen::Index k = 0; k < c_; ++k)
+            put(v * at(c_) + at(k), columns, rows.row(k));
     }
 
     void add_patch(std::size_t p, Index v, const std::vector<Index>& columns, PatchMatrix& dense,
                    Matrix& rows) const
     {
-        const auto n = static_cast<Index>(patches_.size(p));
+        const auto n = static_cast<Eigen::Index>(patches_.size(p));
         const Index* corners = patches_.begin(p);
         dense.setZero(c_ * n, c_ * n);
         fill_(p, dense);
-        const auto mine = static_cast<Index>(std::find(corners, corners + n, v) - corners);
-        for (Index j = 0; j < n; ++j) {
-            const auto place = static_cast<Index>(
-                std::lower_bound(columns.begin(), columns.end(), corners[j]) - columns.begin());
+        const Eigen::Index mine = std::find(corners, corners + n, v) - corners;
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const Eigen::Index place =
+                std::lower_bound(columns.begin(), columns.end(), corners[j]) - columns.begin();
             rows.middleCols(c_ * place, c_) += dense.block(c_ * mine, c_ * j, c_, c_);
         }
     }
 
-    void put(Index row, const std::vector<Index>& columns, const Eigen::Ref<const Eigen::RowVectorXd>& values)
+    void put(std::size_t row, const std::vector<Index>& columns,
+             const Eigen::Ref<const Eigen::RowVectorXd>& values)
     {
-        std::size_t next = A_.start[at(row)];
-        for (Index j = 0; j < static_cast<Index>(values.size()); ++j) {
-            const Index column = columns[at(j / c_)] * c_ + j % c_;
+        std::size_t next = A_.start[row];
+        for (Eigen::Index j = 0; j < values.size(); ++j) {
+            const std::size_t column = at(columns[at(j / c_)]) * at(c_) + at(j % c_);
             if (column == row) {
-                A_.diagonal[at(row)] = values[j];
+                A_.diagonal[row] = values[j];
                 continue;
             }
-            A_.column[next] = column;
+            A_.column[next] = static_cast<Index>(column);
             A_.value[next++] = values[j];
         }
     }
 
     const Patches& patches_;
     const Fill& fill_;
-    Index c_;
+    Eigen::Index c_;
     PatchesOfVertices around_;
     SymmetricMatrix A_;
 };

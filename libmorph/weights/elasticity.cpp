@@ -88,8 +88,9 @@ private:
             throw InputError("element " + std::to_string(file_number(element.element)) +
                              " is inverted: an elastic solid cannot begin like that");
         const Gradients gradients = reference * jacobian.inverse();
-        StrainMatrix B(3, 2 * element.corners);
-        for (int i = 0; i < element.corners; ++i)
+        const Eigen::Index corners = element.corners;
+        StrainMatrix B(3, 2 * corners);
+        for (Eigen::Index i = 0; i < corners; ++i)
             B.middleCols<2>(2 * i) << gradients(i, 0), 0, 0, gradients(i, 1), gradients(i, 1),
                 gradients(i, 0);
         const double modulus = modulus_[static_cast<std::size_t>(element.element)];

@@ -100,12 +100,13 @@ Change height_change(const Corner& c)
 /// Add @p spring (change)^2 / 2 to the energy of the element.
 void add_corner(const ElementPoints& element, int i, const Change& change, double spring, PatchMatrix& Q)
 {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * element.corners);
-    gradient.segment<2>(2 * ((i + element.corners - 1) % element.corners)) += change.previous;
-    gradient.segment<2>(2 * i) += change.here;
-    gradient.segment<2>(2 * ((i + 1) % element.corners)) += change.next;
+    const int n = element.corners;
+    Eigen::Matrix2Xd gradient = Eigen::Matrix2Xd::Zero(2, n);
+    gradient.col((i + n - 1) % n) += change.previous;
+    gradient.col(i) += change.here;
+    gradient.col((i + 1) % n) += change.next;
     gradient *= std::sqrt(spring);
-    Q += gradient * gradient.transpose();
+    Q += gradient.reshaped() * gradient.reshaped().transpose();
 }
 
 double torsion_stiffness(const Corner& c, SpringStiffness stiffness)
