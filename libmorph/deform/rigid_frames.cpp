@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/weights/held_vertices.h"
+#include "libmorph/weights/held_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,40 +22,11 @@ constexpr std::size_t kGrain = 8192; // vertices a thread takes at a time
 // small numbers would blow up what a method leaves there. The angle is small there as well.
 constexpr double kLeastShare = 0.1;
 
-/// A moving edge: its ends as rows of the held vertices.
-using RowEdge = std::array<Index, 2>;
-
-/// Row of each vertex of the mesh among the held ones, -1 for others; copies of a split vertex share one.
-std::vector<Index> held_rows(const HeldVertices& vertices)
-{
-    const std::vector<Index>& representative = vertices.representatives();
-    std::vector<Index> row(representative.size(), -1);
-    for (std::size_t i = 0; i < vertices.vertices().size(); ++i)
-        row[static_cast<std::size_t>(vertices.vertices()[i])] = static_cast<Index>(i);
-    for (std::size_t v = 0; v < row.size(); ++v)
-        row[v] = row[static_cast<std::size_t>(representative[v])];
-    return row;
-}
-
-std::vector<RowEdge> moving_rows(const Mesh& mesh, const HeldBoundary& held, const std::vector<Index>& row_of)
-{
-    const auto row = [&](Index v) {
-        if (row_of[static_cast<std::size_t>(v)] < 0)
-            throw InputError("vertex " + std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]) +
-                             " is the end of a moving edge, but it is not held");
-        return row_of[static_cast<std::size_t>(v)];
-    };
-    std::vector<RowEdge> edges;
-    for (const auto& [a, b] : held.moving_edges)
-        edges.push_back({row(a), row(b)});
-    return edges;
-}
-
 /// The frames of the joined held vertices.
 class FrameFit {
 public:
     FrameFit(const Eigen::Ref<const Points>& x, const std::vector<Index>& vertices,
-             const Matrix& displacement, const std::vector<RowEdge>& edges, double reach)
+             const Matrix& displacement, const std::vector<HeldEdge>& edges, double reach)
         : reach_(reach), neighbours_(vertices.size()), turn_(vertices.size()), lengths_(vertices.size()),
           seen_from_(vertices.size(), -1)
     {
@@ -240,9 +211,9 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const
         throw InputError("the displacement of the boundary has " + std::to_string(displacement.cols()) +
                          " columns, expected x and y");
     const HeldVertices vertices(mesh, held);
-    const std::vector<Index> row_of = held_rows(vertices);
+    const std::vector<Index> row_of = vertices.rows();
     FrameFit fit(points(mesh), vertices.vertices(), vertices.join(displacement),
-                 moving_rows(mesh, held, row_of), reach);
+                 held_edges(mesh, held, vertices).moving, reach);
     return expanded(fit.fit(), held.vertices, row_of);
 }
 

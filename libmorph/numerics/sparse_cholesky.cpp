@@ -3,6 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/core/progress.h"
+#include "libmorph/numerics/serial_blas.h"
 #include "libmorph/numerics/tree_walk.h"
 
 #include <cblas.h>
@@ -23,14 +24,6 @@ constexpr std::size_t kGrain = 4096; // rows a thread takes at a time
 std::size_t at(Index i)
 {
     return static_cast<std::size_t>(i);
-}
-
-/// Our threads work on different fronts: OpenBLAS must not start its own, which would also make the sums
-/// depend on their number.
-void keep_blas_serial()
-{
-    static const bool done = (openblas_set_num_threads(1), true);
-    static_cast<void>(done);
 }
 
 /// Says how far the factorisation is, from the thread that made it and some dozens of times.

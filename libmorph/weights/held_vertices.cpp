@@ -67,6 +67,16 @@ HeldVertices::HeldVertices(const Mesh& mesh, const HeldBoundary& held)
     }
 }
 
+std::vector<Index> HeldVertices::rows() const
+{
+    std::vector<Index> row(representative_.size(), -1);
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+        row[static_cast<std::size_t>(vertices_[i])] = static_cast<Index>(i);
+    for (std::size_t v = 0; v < row.size(); ++v) // a first copy comes before the others
+        row[v] = row[static_cast<std::size_t>(representative_[v])];
+    return row;
+}
+
 Matrix HeldVertices::join(const Matrix& values) const
 {
     if (static_cast<std::size_t>(values.rows()) != row_.size())

@@ -22,6 +22,9 @@ public:
     /// h first copies, each once.
     const std::vector<Index>& vertices() const { return vertices_; }
 
+    /// Row in vertices() of each vertex of the mesh, copies included; -1 where nothing is held.
+    std::vector<Index> rows() const;
+
     /// The values at vertices().
     /// @param values  k x c, row i belongs to HeldBoundary::vertices[i]
     /// @return h x c

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "libmorph/weights/radial_interpolant.h"
+#include "libmorph/weights/rbf.h"
+
+#include <vector>
+
+namespace morph {
+
+/// The support radius that @p options mean, which are checked.
+/// @throws InputError  as rbf_spread()
+double support_radius(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options);
+
+/// The interpolant with its centres at the given vertices.
+/// @throws InputError, SolverError  as RadialInterpolant; two vertices at the same place
+RadialInterpolant radial_interpolant(const Mesh& mesh, const std::vector<Index>& vertices,
+                                     const RbfOptions& options, double support);
+
+} // namespace morph
