@@ -1,0 +1,91 @@
+#include "libmorph/weights/damping.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/core/parallel.h"
+#include "libmorph/weights/held_edges.h"
+
+#include <optional>
+
+namespace morph {
+
+namespace {
+
+constexpr std::size_t kGrain = 4096; // vertices a thread takes at a time
+
+std::optional<NearestOnEdges> nearest_on(const Points& points, const std::vector<HeldEdge>& edges)
+{
+    if (edges.empty())
+        return std::nullopt;
+    return NearestOnEdges(points, edges);
+}
+
+class DampingSpread final : public Spread {
+public:
+    DampingSpread(const Mesh& mesh, const HeldBoundary& held) : held_(mesh, held)
+    {
+        if (held_.vertices().empty())
+            throw InputError("no vertex is held: there is nothing to damp");
+        const HeldEdges edges = held_edges(mesh, held, held_);
+        const Points boundary = held_points(mesh, held_);
+        const auto moving = nearest_on(boundary, edges.moving), still = nearest_on(boundary, edges.still);
+        const auto x = points(mesh);
+        sources_.resize(static_cast<std::size_t>(x.rows()));
+        parallel_for(sources_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+            Source at;
+            for (std::size_t v = begin; v < end; ++v) {
+                const auto row = x.row(static_cast<Index>(v));
+                if (moving)
+                    at.moving = moving->nearest(row[0], row[1], at.moving.segment);
+                if (still)
+                    at.still = still->nearest(row[0], row[1], at.still.segment);
+                at.share = !moving ? 0 : !still ? 1 : share(at.moving.distance, at.still.distance);
+                sources_[v] = at;
+            }
+        });
+    }
+
+    Matrix spread(const Matrix& values) const override
+    {
+        const Matrix joined = held_.join(values);
+        Matrix result(static_cast<Index>(sources_.size()), values.cols());
+        parallel_for(sources_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                const auto& [moving, still, share] = sources_[v];
+                result.row(static_cast<Index>(v)) =
+                    share * moving.value(joined) + (1 - share) * still.value(joined);
+            }
+        });
+        held_.finish(joined, result);
+        return result;
+    }
+
+private:
+    /// Where the value of a vertex comes from.
+    struct Source {
+        EdgePoint moving;
+        EdgePoint still;
+        double share = 0; ///< of moving
+    };
+
+    /// f; by the quotient of the distances, whose squares might underflow.
+    static double share(double moving, double still)
+    {
+        if (moving == 0)
+            return 1;
+        const double quotient = still / moving;
+        return quotient > 1 ? 1 / (1 + 1 / (quotient * quotient))
+                            : quotient * quotient / (1 + quotient * quotient);
+    }
+
+    HeldVertices held_;
+    std::vector<Source> sources_; ///< of each vertex
+};
+
+} // namespace
+
+std::unique_ptr<Spread> damping_spread(const Mesh& mesh, const HeldBoundary& held)
+{
+    return std::make_unique<DampingSpread>(mesh, held);
+}
+
+} // namespace morph
