@@ -32,7 +32,8 @@ RigidEntry rigid_entry(const TomlTable& table)
 
 const std::vector<std::string>& move_methods()
 {
-    static const std::vector<std::string> names{"harmonic", "ffd"};
+    static const std::vector<std::string> names{"harmonic", "ffd",        "rbf",    "idw",
+                                                "damping",  "elasticity", "spring", "biharmonic"};
     return names;
 }
 
@@ -48,20 +49,29 @@ const std::vector<std::string>& guards()
     return names;
 }
 
+bool uses_rotations(const DeformEntry& deform)
+{
+    return deform.rotations.value_or(deform.method == "idw");
+}
+
 DeformEntry deform_entry(const TomlTable& table)
 {
-    table.require_known({"method", "diffusivity", "guard", "fixed", "rotations", "steps", "slide", "rigid"});
+    std::vector<std::string> known{"method",    "diffusivity", "guard", "fixed",
+                                   "rotations", "steps",       "slide", "rigid"};
+    known.insert(known.end(), method_option_keys().begin(), method_option_keys().end());
+    table.require_known(known);
     DeformEntry entry;
     entry.line = table.line();
     entry.method = table.choice("method", move_methods()).value_or(entry.method);
     entry.diffusivity = table.choice("diffusivity", diffusivities()).value_or(entry.diffusivity);
     entry.guard = table.choice("guard", guards()).value_or(entry.guard);
     entry.fixed = table.strings("fixed");
-    entry.rotations = table.boolean("rotations").value_or(false);
+    entry.rotations = table.boolean("rotations");
     entry.steps = steps_of(table);
     entry.slide = table.strings("slide").value_or(std::vector<std::string>());
     for (const TomlTable& item : table.tables("rigid"))
         entry.rigid.push_back(rigid_entry(item));
+    entry.options = method_options(table);
     return entry;
 }
 

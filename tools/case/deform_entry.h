@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/case/toml_table.h"
+#include "tools/case/method_options.h"
 
 #include <optional>
 #include <string>
@@ -22,16 +22,21 @@ struct DeformEntry {
     std::string diffusivity = "uniform";
     std::string guard = "check";
     std::optional<std::vector<std::string>> fixed;
-    bool rotations = false;
-    int steps = 1; ///< 0: as many as the safe step asks for
+    std::optional<bool> rotations; ///< not given: with "idw" only, see uses_rotations()
+    int steps = 1;                 ///< 0: as many as the safe step asks for
     std::vector<std::string> slide;
     std::vector<RigidEntry> rigid;
+    MethodOptions options;
 };
 
 /// What [deform] method, diffusivity and guard may be.
 const std::vector<std::string>& move_methods();
 const std::vector<std::string>& diffusivities();
 const std::vector<std::string>& guards();
+
+/// Whether the boundary's rotation is spread too. Inverse distance weighting does it unless told otherwise,
+/// as in the paper it comes from.
+bool uses_rotations(const DeformEntry& deform);
 
 /// Read [deform].
 /// @throws InputError  "case.toml:12: what is wrong"

@@ -1,5 +1,6 @@
 #include "tools/deform/boundary_carry.h"
 
+#include "libmorph/core/error.h"
 #include "libmorph/deform/move_in_steps.h"
 #include "libmorph/deform/rigid_frames.h"
 #include "libmorph/deform/rigid_layers.h"
@@ -13,9 +14,12 @@ namespace {
 BoundaryMove plain_move(const DeformEntry& deform)
 {
     return [deform](const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement) {
-        const std::unique_ptr<Spread> spread = spread_method(deform).make(mesh, held, deform);
-        return deform.rotations ? spread_with_rotations(*spread, mesh, held, displacement)
-                                : spread->spread(displacement);
+        const AnySpread made = spread_method(deform).make({mesh, held, deform, displacement});
+        if (const auto* coupled = std::get_if<std::unique_ptr<VectorSpread>>(&made))
+            return Matrix((*coupled)->spread(displacement));
+        const Spread& spread = *std::get<std::unique_ptr<Spread>>(made);
+        return uses_rotations(deform) ? spread_with_rotations(spread, mesh, held, displacement)
+                                      : spread.spread(displacement);
     };
 }
 
@@ -36,7 +40,9 @@ std::vector<SlidingMarker> sliding_markers(const CaseFile& file)
 
 bool carries_boundary(const DeformEntry& deform)
 {
-    return deform.rotations || deform.steps != 1 || !deform.slide.empty() || !deform.rigid.empty();
+    const bool coupled = deform.method != "ffd" && spread_method(deform).couples(deform);
+    return coupled || uses_rotations(deform) || deform.steps != 1 || !deform.slide.empty() ||
+           !deform.rigid.empty();
 }
 
 HeldBoundary held_boundary(const BoundaryConditions& conditions)
@@ -46,6 +52,11 @@ HeldBoundary held_boundary(const BoundaryConditions& conditions)
 
 BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file)
 {
+    if (uses_rotations(file.deform) && spread_method(file.deform).couples(file.deform))
+        throw InputError(file.path + ":" + std::to_string(file.deform.line) +
+                         ": [deform] rotations go with "
+                         "methods that move x and y apart; \"" +
+                         file.deform.method + "\" as it is set moves them together");
     BoundaryCarry carry{held_boundary(placed.conditions), placed.conditions.held.values,
                         plain_move(file.deform), file.deform.steps};
     std::vector<RigidLayer> layers;

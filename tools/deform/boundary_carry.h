@@ -14,7 +14,8 @@ struct BoundaryCarry {
     int steps = 1;
 };
 
-/// Whether a case asks for what is not linear: rotations, steps, sliding markers, rigid layers.
+/// Whether a case asks for what weights cannot do: rotations, steps, sliding markers, rigid layers, a method
+/// that couples x and y.
 bool carries_boundary(const DeformEntry& deform);
 
 /// The boundary of a case with all that [deform] asks for.

@@ -92,8 +92,8 @@ void require_no_weights_wanted(const CaseFile& file, const std::string& weights_
     if (!weights_file.empty())
         throw InputError(
             file.path + ":" + std::to_string(file.deform.line) +
-            ": [deform] rotations, steps, slide and rigid move the mesh by more than weights, so "
-            "they cannot use those of " +
+            ": [deform] rotations, steps, slide, rigid and methods that couple x and y move the mesh by "
+            "more than weights, so they cannot use those of " +
             weights_file);
 }
 

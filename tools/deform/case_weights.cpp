@@ -38,9 +38,10 @@ void set_boundary_rows(const DirichletSet& held, Matrix& values)
 
 Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
 {
-    const std::unique_ptr<Spread> spread =
-        spread_method(file.deform).make(mesh, held_boundary(placed.conditions), file.deform);
-    return {placed.conditions.columns, spread->spread(placed.conditions.held.values)};
+    const HeldBoundary held = held_boundary(placed.conditions);
+    const Matrix& values = placed.conditions.held.values;
+    const AnySpread made = spread_method(file.deform).make({mesh, held, file.deform, values});
+    return {placed.conditions.columns, std::get<std::unique_ptr<Spread>>(made)->spread(values)};
 }
 
 Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed)

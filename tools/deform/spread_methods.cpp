@@ -1,7 +1,13 @@
 #include "tools/deform/spread_methods.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/weights/biharmonic.h"
+#include "libmorph/weights/damping.h"
+#include "libmorph/weights/elasticity.h"
 #include "libmorph/weights/harmonic.h"
+#include "libmorph/weights/idw.h"
+#include "libmorph/weights/rbf_greedy.h"
+#include "libmorph/weights/spring.h"
 
 #include <map>
 
@@ -9,14 +15,99 @@ namespace morph::tools {
 
 namespace {
 
-std::unique_ptr<Spread> make_harmonic(const Mesh& mesh, const HeldBoundary& held, const DeformEntry& deform)
+AnySpread make_harmonic(const SpreadSetup& setup)
 {
     static const std::map<std::string, Diffusivity> kDiffusivities{
         {"uniform", Diffusivity::uniform},
         {"inverse-distance", Diffusivity::inverse_distance},
         {"inverse-area", Diffusivity::inverse_area},
     };
-    return harmonic_spread(mesh, held, kDiffusivities.at(deform.diffusivity));
+    return harmonic_spread(setup.mesh, setup.held, kDiffusivities.at(setup.deform.diffusivity));
+}
+
+AnySpread make_rbf(const SpreadSetup& setup)
+{
+    static const std::map<std::string, RadialFunction> kFunctions{
+        {"wendland-c0", RadialFunction::wendland_c0},
+        {"wendland-c2", RadialFunction::wendland_c2},
+        {"wendland-c4", RadialFunction::wendland_c4},
+        {"thin-plate", RadialFunction::thin_plate},
+        {"gauss", RadialFunction::gauss},
+    };
+    const MethodOptions::Rbf& told = setup.deform.options.rbf;
+    const RbfOptions options{kFunctions.at(told.function), told.support, told.linear};
+    if (!told.tolerance && std::ssize(setup.held.vertices) <= kMostCentres)
+        return rbf_spread(setup.mesh, setup.held, options);
+    GreedyOptions greedy;
+    greedy.tolerance = told.tolerance.value_or(greedy.tolerance);
+    return rbf_spread(setup.mesh, setup.held, options,
+                      greedy_centres(setup.mesh, setup.held, setup.values, options, greedy));
+}
+
+AnySpread make_idw(const SpreadSetup& setup)
+{
+    const MethodOptions::Idw& told = setup.deform.options.idw;
+    IdwOptions options;
+    options.far_exponent = told.far_exponent.value_or(options.far_exponent);
+    options.near_exponent = told.near_exponent.value_or(options.near_exponent);
+    options.reach = told.reach.value_or(options.reach);
+    options.stiffness = told.stiffness.value_or(options.stiffness);
+    return idw_spread(setup.mesh, setup.held, options);
+}
+
+AnySpread make_damping(const SpreadSetup& setup)
+{
+    return damping_spread(setup.mesh, setup.held);
+}
+
+AnySpread make_elasticity(const SpreadSetup& setup)
+{
+    static const std::map<std::string, YoungsModulus> kModuli{
+        {"uniform", YoungsModulus::uniform},
+        {"inverse-distance", YoungsModulus::inverse_distance},
+        {"inverse-area", YoungsModulus::inverse_area},
+    };
+    const MethodOptions::Elasticity& told = setup.deform.options.elasticity;
+    return elastic_spread(setup.mesh, setup.held, {kModuli.at(told.modulus), told.poisson_ratio});
+}
+
+bool braces(const DeformEntry& deform)
+{
+    return deform.options.spring.bracing != "none";
+}
+
+AnySpread make_spring(const SpreadSetup& setup)
+{
+    const MethodOptions::Spring& told = setup.deform.options.spring;
+    const auto stiffness = told.stiffness == "inverse-length" ? SpringStiffness::inverse_length
+                                                              : SpringStiffness::inverse_length_squared;
+    if (!braces(setup.deform))
+        return spring_spread(setup.mesh, setup.held, stiffness);
+    return braced_spring_spread(setup.mesh, setup.held, stiffness,
+                                told.bracing == "torsion" ? SpringBracing::torsion
+                                                          : SpringBracing::ball_vertex);
+}
+
+bool is_conformal(const DeformEntry& deform)
+{
+    return deform.options.biharmonic.condition == "conformal";
+}
+
+AnySpread make_biharmonic(const SpreadSetup& setup)
+{
+    if (is_conformal(setup.deform))
+        return conformal_biharmonic_spread(setup.mesh, setup.held);
+    return biharmonic_spread(setup.mesh, setup.held);
+}
+
+bool never(const DeformEntry&)
+{
+    return false;
+}
+
+bool always(const DeformEntry&)
+{
+    return true;
 }
 
 } // namespace
@@ -24,7 +115,13 @@ std::unique_ptr<Spread> make_harmonic(const Mesh& mesh, const HeldBoundary& held
 const std::vector<SpreadMethod>& spread_methods()
 {
     static const std::vector<SpreadMethod> table{
-        {"harmonic", "harmonic functions", make_harmonic},
+        {"harmonic", "harmonic functions", make_harmonic, never},
+        {"rbf", "radial basis functions", make_rbf, never},
+        {"idw", "inverse distance weighting", make_idw, never},
+        {"damping", "the nearest boundary's move, damped with distance", make_damping, never},
+        {"elasticity", "the mesh as an elastic solid", make_elasticity, always},
+        {"spring", "springs along the edges and at the corners", make_spring, braces},
+        {"biharmonic", "biharmonic functions", make_biharmonic, is_conformal},
     };
     return table;
 }
