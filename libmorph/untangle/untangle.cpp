@@ -46,6 +46,17 @@ void require_valid(const Mesh& mesh, const PositionsView& reference, const std::
                              std::to_string(vertex_count(mesh)) + " vertices");
 }
 
+void require_valid(const UntangleOptions& options)
+{
+    if (!(options.size >= 0) || !(options.exponent >= 1))
+        throw InputError("the energy of untangling has the size weight " + std::to_string(options.size) +
+                         " and the exponent " + std::to_string(options.exponent) +
+                         ", but they must be at least 0 and 1");
+    if (options.rings < 1 || options.iterations < 1)
+        throw InputError("untangling was asked to use " + std::to_string(options.rings) + " rings and " +
+                         std::to_string(options.iterations) + " iterations, but both must be at least 1");
+}
+
 class Untangler {
 public:
     Untangler(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,
@@ -213,6 +224,7 @@ untangle(const Mesh& mesh, const PositionsView& reference, const std::vector<Ind
          const UntangleOptions& options)
 {
     require_valid(mesh, reference, held, positions);
+    require_valid(options);
     UntangleResult result;
     result.inverted = inverted_elements(mesh, positions);
     result.valid = result.inverted.empty();

@@ -1,5 +1,6 @@
 #include "libmorph/untangle/untangle.h"
 
+#include "formats/formats.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
 #include "tests/support/errors.h"
@@ -216,6 +217,43 @@ TEST(Untangle, ReachesThePublishedQualityAroundATurnedBlock)
     EXPECT_GT(report.size_skew->mean, 0.79); // with the energy squared: 0.194 and 0.771
 }
 
+TEST(Untangle, RepairsAnInteriorThatWasLeftBehindAltogether)
+{
+    // The hole of a ring moves by half its radius and turns by 30 degrees; what is around it stays. Patches
+    // around the tangle cannot give way that far.
+    const Mesh mesh = build_mesh(test::annulus(1, 10, 60, 20));
+    const auto held = boundary_vertices(mesh);
+    Points x = points(mesh);
+    const Eigen::Rotation2D<double> turn(std::numbers::pi / 6);
+    for (const Index v : marker_vertices(marker(mesh, "inner")))
+        x.row(v).head<2>() = (turn * x.row(v).head<2>().transpose() + Eigen::Vector2d(0.5, 0)).transpose();
+    const Points before = x;
+    ASSERT_FALSE(every_corner_turns_left(mesh, x));
+    UntangleOptions options;
+    options.rings = 1;
+    EXPECT_TRUE(untangle(mesh, points(mesh), held, x, options).valid);
+    EXPECT_TRUE(every_corner_turns_left(mesh, x));
+    expect_held(held, before, x);
+}
+
+TEST(Untangle, RepairsRealMeshesWhoseBodyIsTurned)
+{
+    for (const char* name : {"naca0012_inv.su2", "naca0012_lam_hybrid.su2"}) {
+        const Mesh mesh = build_mesh(read_mesh_data(test::data_path(std::string("meshes/") + name)));
+        const auto held = boundary_vertices(mesh);
+        Points x = points(mesh);
+        const Eigen::Rotation2D<double> turn(std::numbers::pi / 9);
+        const Eigen::Vector2d centre(0.5, 0);
+        for (const Index v : marker_vertices(marker(mesh, "airfoil")))
+            x.row(v).head<2>() = (centre + turn * (x.row(v).head<2>().transpose() - centre)).transpose();
+        const Points before = x;
+        ASSERT_FALSE(every_corner_turns_left(mesh, x));
+        EXPECT_TRUE(untangle(mesh, points(mesh), held, x).valid) << name;
+        EXPECT_TRUE(every_corner_turns_left(mesh, x)) << name;
+        expect_held(held, before, x);
+    }
+}
+
 TEST(Untangle, ReportsTheElementsThatHeldVerticesMakeHopeless)
 {
     const Mesh mesh = build_mesh(test::uneven_square(8));
@@ -349,6 +387,16 @@ TEST(Untangle, RefusesWhatDoesNotFitTheMesh)
               "the matrix of reference positions has 3 rows, but the mesh has 4 vertices");
     EXPECT_EQ(test::message_of([&] { untangle(mesh, points(mesh), {4}, x); }),
               "held vertex 4 is out of range, there are 4 vertices");
+    UntangleOptions options;
+    options.exponent = 0.5;
+    EXPECT_EQ(
+        test::message_of([&] { untangle(mesh, points(mesh), {}, x, options); }),
+        "the energy of untangling has the size weight 2.000000 and the exponent 0.500000, but they must be "
+        "at least 0 and 1");
+    options = {};
+    options.rings = 0;
+    EXPECT_EQ(test::message_of([&] { untangle(mesh, points(mesh), {}, x, options); }),
+              "untangling was asked to use 0 rings and 200 iterations, but both must be at least 1");
     x(2, 1) = std::nan("");
     EXPECT_EQ(test::message_of([&] { untangle(mesh, points(mesh), {}, x); }),
               "the matrix of positions is not finite everywhere");
