@@ -8,6 +8,7 @@
 #include "libmorph/untangle/patch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace morph {
@@ -97,11 +98,18 @@ private:
         return rings;
     }
 
-    /// Fewer rings than asked for where inverted elements are so many that patches around them would take in
-    /// most of the mesh.
+    /// Rings around the inverted elements: more than asked for where those are a large heap, which takes
+    /// about as much room around it; fewer where they are small but so many that patches would take in most
+    /// of the mesh.
     int first_rings(const std::vector<Index>& inverted) const
     {
-        int rings = options_.rings;
+        Index heap = 0; // vertices of the largest
+        for (const Patch& patch : find_patches(stars_, held_, inverted, 0))
+            heap = std::max(heap, patch.free);
+        int rings = static_cast<int>(std::sqrt(heap));
+        if (rings > options_.rings)
+            return rings;
+        rings = options_.rings;
         while (rings > 1 && count_free(find_patches(stars_, held_, inverted, rings)) > limit())
             rings /= 2;
         return rings;
