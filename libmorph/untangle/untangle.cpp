@@ -93,8 +93,12 @@ private:
     int grow_patches(UntangleResult& result)
     {
         int rings = first_rings(mendable(result));
-        for (int growth = 0; growth < kGrowths && !mendable(result).empty(); ++growth, rings *= 2)
-            repair(find_patches(stars_, held_, mendable(result), rings), result);
+        for (int growth = 0; growth < kGrowths && !mendable(result).empty(); ++growth, rings *= 2) {
+            std::vector<Patch> patches = find_patches(stars_, held_, mendable(result), rings);
+            if (growth > 0 && count_free(patches) > kFew / 2)
+                break; // a fresh start costs less
+            repair(std::move(patches), result);
+        }
         return rings;
     }
 
