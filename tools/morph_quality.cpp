@@ -7,12 +7,14 @@
 #include "tools/picture/image_kind.h"
 #include "tools/picture/picture.h"
 #include "tools/quality/element_files.h"
+#include "tools/quality/element_metrics.h"
 #include "tools/quality/full_report.h"
 #include "tools/quality/reference.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace morph::tools {
@@ -58,22 +60,21 @@ void require_writable(const Options& options)
         picture::image_kind(options.picture);
 }
 
-void write_elements(const Options& options, OutputFiles& outputs, const Mesh& mesh,
-                    const PositionsView* reference)
+void write_element_files(const Options& options, OutputFiles& outputs, const Mesh& mesh,
+                         const PositionsView* reference)
 {
     if (options.list.empty() && options.csv.empty() && options.vtu.empty())
         return;
-    const MeshData data = to_data(mesh);
-    const auto quality = in_file_order(mesh, element_quality(mesh, points(mesh), reference));
-    const std::vector<Metric> metrics = element_metrics(reference != nullptr);
+    MeshData data = to_data(mesh);
+    std::vector<Field> metrics = element_metrics(mesh, reference);
     if (!options.list.empty())
-        write_inverted(outputs.open(options.list), data, quality, metrics);
+        write_elements(outputs.open(options.list), data, metrics, true);
     if (!options.csv.empty())
-        write_all_elements(outputs.open(options.csv), data, quality, metrics);
+        write_elements(outputs.open(options.csv), data, metrics, false);
     if (options.vtu.empty())
         return;
-    for (const std::string& warning :
-         write_mesh_data(with_metric_fields(data, quality, metrics), options.vtu, outputs, "vtu"))
+    add_metric_fields(data, std::move(metrics));
+    for (const std::string& warning : write_mesh_data(data, options.vtu, outputs, "vtu"))
         warn(kTool, warning);
 }
 
@@ -98,7 +99,7 @@ FullQuality check(const Options& options, OutputFiles& outputs)
         view.emplace(
             reference.emplace(reference_points(options.reference, options.from, mesh, options.mesh)));
     const PositionsView* before = view ? &*view : nullptr;
-    write_elements(options, outputs, mesh, before);
+    write_element_files(options, outputs, mesh, before);
     draw(options, outputs, mesh);
     return full_quality(mesh, before);
 }

@@ -75,19 +75,10 @@ Spread spread(const std::vector<WallCell>& cells, double WallCell::*value)
     return s;
 }
 
-double relative_change(double before, double after)
-{
-    const double change = std::abs(after / before - 1);
-    if (std::isfinite(change))
-        return change;
-    return before == after ? 0 : std::numeric_limits<double>::max();
-}
-
 /// The cell where a change is largest, the first of them.
-template <class Change>
 WallPlace largest_change(const Mesh& mesh, const PositionsView& positions,
                          const std::vector<WallCell>& before, const std::vector<WallCell>& after,
-                         const Change& change)
+                         double (*change)(const WallCell&, const WallCell&))
 {
     WallPlace largest{-1};
     for (std::size_t i = 0; i < after.size(); ++i) {
@@ -99,16 +90,6 @@ WallPlace largest_change(const Mesh& mesh, const PositionsView& positions,
                    (positions.row(from) + positions.row(to)).transpose() / 2};
     }
     return largest;
-}
-
-WallChange wall_change(const Mesh& mesh, const PositionsView& positions, const std::vector<WallCell>& before,
-                       const std::vector<WallCell>& after)
-{
-    return {largest_change(
-                mesh, positions, before, after,
-                [](const WallCell& a, const WallCell& b) { return relative_change(a.height, b.height); }),
-            largest_change(mesh, positions, before, after,
-                           [](const WallCell& a, const WallCell& b) { return std::abs(b.angle - a.angle); })};
 }
 
 } // namespace
@@ -126,6 +107,19 @@ std::vector<WallCell> wall_cells(const Mesh& mesh, const Marker& marker, const P
     return cells;
 }
 
+double height_change(const WallCell& before, const WallCell& after)
+{
+    const double change = std::abs(after.height / before.height - 1);
+    if (std::isfinite(change))
+        return change;
+    return before.height == after.height ? 0 : std::numeric_limits<double>::max();
+}
+
+double angle_change(const WallCell& before, const WallCell& after)
+{
+    return std::abs(after.angle - before.angle);
+}
+
 std::vector<WallQuality> wall_quality(const Mesh& mesh, const PositionsView& positions,
                                       const PositionsView* reference)
 {
@@ -139,8 +133,11 @@ std::vector<WallQuality> wall_quality(const Mesh& mesh, const PositionsView& pos
         wall.cells = static_cast<Index>(cells.size());
         wall.height = spread(cells, &WallCell::height);
         wall.angle = spread(cells, &WallCell::angle);
-        if (reference != nullptr)
-            wall.change = wall_change(mesh, positions, wall_cells(mesh, marker, *reference), cells);
+        if (reference != nullptr) {
+            const std::vector<WallCell> before = wall_cells(mesh, marker, *reference);
+            wall.change = {largest_change(mesh, positions, before, cells, height_change),
+                           largest_change(mesh, positions, before, cells, angle_change)};
+        }
         walls.push_back(wall);
     }
     return walls;

@@ -29,6 +29,12 @@ struct WallCell {
 /// @throws InputError  positions has another number of rows than the mesh has vertices
 std::vector<WallCell> wall_cells(const Mesh& mesh, const Marker& marker, const PositionsView& positions);
 
+/// |height / height before - 1|; the largest double where it was 0 and is not.
+double height_change(const WallCell& before, const WallCell& after);
+
+/// Change of the angle, degrees.
+double angle_change(const WallCell& before, const WallCell& after);
+
 /// Least, mean and largest of some values.
 struct Spread {
     double min = 0;
@@ -45,8 +51,8 @@ struct WallPlace {
 
 /// What a move did to the elements beside a wall.
 struct WallChange {
-    WallPlace height; ///< largest |height / height before - 1|; the largest double where it was 0
-    WallPlace angle;  ///< largest change, degrees
+    WallPlace height; ///< largest height_change()
+    WallPlace angle;  ///< largest angle_change()
 };
 
 /// The elements beside one marker.

@@ -80,7 +80,7 @@ std::vector<std::string> lines_of(const std::string& text)
 std::vector<std::string> cells_of(const std::string& line)
 {
     std::vector<std::string> cells;
-    std::istringstream stream(line);
+    std::istringstream stream(line + ","); // a last cell may be empty
     for (std::string cell; std::getline(stream, cell, ',');)
         cells.push_back(cell);
     return cells;
@@ -193,7 +193,7 @@ TEST(MorphQuality, WritesEveryMetricOfEveryElementAsCsvAndVtu)
         const auto lines = lines_of(test::read_text(folder.file("all.csv")));
         ASSERT_EQ(lines.size(), data.elements.size() + 1);
         const auto names = cells_of(lines[0]);
-        EXPECT_EQ(names.size(), 5U + 12U);
+        EXPECT_EQ(names.size(), 5U + 12U + 4U);
         for (const std::size_t id : {std::size_t{0}, data.elements.size() / 2, data.elements.size() - 1}) {
             const auto cells = cells_of(lines[id + 1]);
             ASSERT_EQ(cells.size(), names.size());
@@ -201,7 +201,11 @@ TEST(MorphQuality, WritesEveryMetricOfEveryElementAsCsvAndVtu)
             for (std::size_t c = 5; c < names.size(); ++c) {
                 const Field* field = find_field(metrics.fields, names[c], FieldLocation::element);
                 ASSERT_NE(field, nullptr) << names[c];
-                EXPECT_EQ(field->values(static_cast<Index>(id), 0), std::stod(cells[c])) << names[c];
+                const double value = field->values(static_cast<Index>(id), 0);
+                if (cells[c].empty())
+                    EXPECT_TRUE(std::isnan(value)) << names[c];
+                else
+                    EXPECT_EQ(value, std::stod(cells[c])) << names[c];
             }
         }
     }
@@ -305,6 +309,34 @@ TEST(MorphQuality, TellsWhatAMoveDidToTheCellsBesideTheWalls)
     }
     EXPECT_THAT(result.output, HasSubstr("beside bottom: first cells 0.225 to 0.225 high"));
     EXPECT_THAT(result.output, HasSubstr("changed at most by 10 % (element "));
+}
+
+TEST(MorphQuality, ShowsTheCellsBesideTheWallsAsFields)
+{
+    const TemporaryFolder folder;
+    MeshData mesh = test::quad_square(4);
+    for (Index v = 0; v < mesh.points.rows(); ++v) // an even grid of columns twice as high as wide
+        mesh.points.row(v) << 0.25 * (v % 5), 0.5 * std::floor(v / 5.0), 0;
+    write_mesh_data(mesh, folder.file("mesh.su2"));
+    ASSERT_EQ(quality({folder.file("mesh.su2"), "--vtu", folder.file("m.vtu"), "--quiet"}).status, 0);
+    const MeshData metrics = read_mesh_data(folder.file("m.vtu"));
+    const Field* height = find_field(metrics.fields, "first_cell_height", FieldLocation::element);
+    ASSERT_NE(height, nullptr);
+    EXPECT_EQ(find_field(metrics.fields, "height_change", FieldLocation::element), nullptr);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        Eigen::RowVector3d centroid = Eigen::RowVector3d::Zero();
+        for (const Index v : mesh.elements[e])
+            centroid += mesh.points.row(v) / 4;
+        const bool beside_left_or_right = std::abs(centroid.x() - 0.5) > 0.25;
+        const bool beside_bottom_or_top = std::abs(centroid.y() - 1) > 0.5;
+        const double value = height->values(static_cast<Index>(e), 0);
+        if (beside_left_or_right) // in the corners the smaller of both
+            EXPECT_DOUBLE_EQ(value, 0.25);
+        else if (beside_bottom_or_top)
+            EXPECT_DOUBLE_EQ(value, 0.5);
+        else
+            EXPECT_TRUE(std::isnan(value));
+    }
 }
 
 TEST(MorphQuality, DrawsTheWorstSpotOfAValidMeshToo)
