@@ -298,7 +298,9 @@ TEST(MorphQuality, TellsWhatAMoveDidToTheCellsBesideTheWalls)
                                           "--json", folder.file("r.json")});
     ASSERT_EQ(result.status, 0) << result.errors;
     constexpr double kTol = 1e-12; // coordinates of size one pass through a file that holds all digits
-    for (const json& wall : json::parse(test::read_text(folder.file("r.json")))["walls"]) {
+    const json walls = json::parse(test::read_text(folder.file("r.json")))["walls"];
+    ASSERT_EQ(walls.size(), 4U);
+    for (const json& wall : walls) {
         if (wall["marker"] != "bottom" && wall["marker"] != "top")
             continue;
         EXPECT_EQ(wall["cells"], 4);
