@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace morph {
@@ -78,23 +79,34 @@ private:
         shares_.push_back({fans_.fan(t, here), vertex(there), -weight});
     }
 
-    /// Sum the shares of each fan and vertex, in the order of the triangles.
+    /// Sum the shares of each fan and vertex.
     void collect()
     {
-        std::stable_sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
-            return a.fan != b.fan ? a.fan < b.fan : a.vertex < b.vertex;
-        });
-        for (std::size_t i = 0; i < shares_.size();) {
-            const Share& first = shares_[i];
+        std::vector<std::size_t> end(fans_.count() + 1); // of each fan's shares, once they are in place
+        for (const Share& share : shares_)
+            ++end[share.fan + 1];
+        std::partial_sum(end.begin(), end.end(), end.begin());
+        std::vector<Share> sorted(shares_.size());
+        for (const Share& share : shares_)
+            sorted[end[share.fan]++] = share;
+        std::size_t begin = 0;
+        for (std::size_t fan = 0; fan < fans_.count(); begin = end[fan++])
+            collect_fan(fan, sorted.begin() + static_cast<std::ptrdiff_t>(begin),
+                        sorted.begin() + static_cast<std::ptrdiff_t>(end[fan]));
+    }
+
+    void collect_fan(std::size_t fan, std::vector<Share>::iterator next, std::vector<Share>::iterator end)
+    {
+        std::sort(next, end, [](const Share& a, const Share& b) { return a.vertex < b.vertex; });
+        while (next != end) {
+            const Index vertex = next->vertex;
             double sum = 0;
-            for (; i < shares_.size() && shares_[i].fan == first.fan && shares_[i].vertex == first.vertex;
-                 ++i)
-                sum += shares_[i].entry;
-            result_.patches.vertex.push_back(first.vertex);
-            result_.entry.push_back(sum / result_.root[first.fan]);
-            if (i == shares_.size() || shares_[i].fan != first.fan)
-                result_.patches.close_patch();
+            for (; next != end && next->vertex == vertex; ++next)
+                sum += next->entry;
+            result_.patches.vertex.push_back(vertex);
+            result_.entry.push_back(sum / result_.root[fan]);
         }
+        result_.patches.close_patch();
     }
 
     const Mesh& mesh_;
