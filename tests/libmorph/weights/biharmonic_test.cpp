@@ -139,14 +139,23 @@ TEST(ConformalBiharmonicSpread, TurnsAndScalesEveryRealMeshWithItsBoundary)
     }
 }
 
-TEST(ConformalBiharmonicSpread, TurnsAnAirfoilByARightAngle)
+TEST(ConformalBiharmonicSpread, TurnsAnAirfoilWithoutInvertedElements)
 {
-    for (const char* file : {"naca0012_inv", "naca0012_lam_hybrid"}) {
-        const Mesh mesh = read_mesh(test::data_path("meshes/" + std::string(file) + ".su2"));
-        const HeldBoundary held = whole_boundary(mesh, "airfoil");
-        const Points2 turn = values_at(mesh, held.vertices, test::turned_airfoil(90));
-        EXPECT_EQ(test::inverted_by(mesh, conformal_biharmonic_spread(mesh, held)->spread(turn)), 0) << file;
-        EXPECT_GT(test::inverted_by(mesh, biharmonic_spread(mesh, held)->spread(turn)), 100) << file;
+    const std::vector<std::array<std::string, 2>> meshes{
+        {"naca0012_inv", "airfoil"}, {"naca0012_lam_hybrid", "airfoil"}, {"rae2822_turb", "AIRFOIL"}};
+    for (const auto& [file, airfoil] : meshes) {
+        SCOPED_TRACE(file);
+        const Mesh mesh = read_mesh(test::data_path("meshes/" + file + ".su2"));
+        const HeldBoundary held = whole_boundary(mesh, airfoil);
+        const auto turn = [&](double degrees) {
+            return Points2(values_at(mesh, held.vertices, test::turned_airfoil(degrees)));
+        };
+        const auto conformal = conformal_biharmonic_spread(mesh, held);
+        for (const double degrees : {5.0, 20.0, 45.0, 90.0, 120.0})
+            EXPECT_EQ(test::inverted_by(mesh, conformal->spread(turn(degrees))), 0) << degrees;
+        const auto flat = biharmonic_spread(mesh, held);
+        EXPECT_EQ(test::inverted_by(mesh, flat->spread(turn(45))), 0);
+        EXPECT_GT(test::inverted_by(mesh, flat->spread(turn(90))), 100);
     }
 }
 
