@@ -70,11 +70,8 @@ private:
     /// f; by the quotient of the distances, whose squares might underflow.
     static double share(double moving, double still)
     {
-        if (moving == 0)
-            return 1;
-        const double quotient = still / moving;
-        return quotient > 1 ? 1 / (1 + 1 / (quotient * quotient))
-                            : quotient * quotient / (1 + quotient * quotient);
+        const double quotient = moving / still;
+        return moving == 0 ? 1 : 1 / (1 + quotient * quotient);
     }
 
     HeldVertices held_;

@@ -21,8 +21,6 @@ constexpr double kFlat = 1e-10; // a box this much flatter than long is a line
 constexpr double kLeastPivot = 1e-15;
 constexpr double kRidges[] = {0, 2e-15, 1e-14, 1e-13, 1e-12, 1e-11};
 
-constexpr int kRefinements = 8;
-constexpr double kWorthwhile = 0.5; // a refinement that leaves more of the error is the last
 constexpr double kRounding = 1e-12; // of the largest value: no refinement is needed below
 constexpr double kGivenBack = 0.25; // of the largest value: what misses more is no interpolant
 
@@ -131,22 +129,11 @@ Matrix RadialInterpolant::solve(const Matrix& values) const
 Matrix RadialInterpolant::coefficients(const Matrix& values) const
 {
     Matrix result = solve(values);
-    Matrix missed = values - evaluate(centres_, result);
-    for (int i = 0; i < kRefinements && largest(missed) > kRounding * largest(values); ++i) {
-        const Matrix refined = result + solve(missed);
-        const Matrix left = values - evaluate(centres_, refined);
-        if (!(largest(left) < largest(missed)))
-            break;
-        const bool last = largest(left) > kWorthwhile * largest(missed);
-        result = refined;
-        missed = left;
-        if (last)
-            break;
-    }
-    if (!(largest(missed) <= kGivenBack * largest(values)))
+    const double missed = largest(values - evaluate(centres_, result));
+    if (!(missed <= kGivenBack * largest(values)))
         throw SolverError("the system of " + std::to_string(centres_.rows()) +
                           " radial functions is so ill-conditioned that its solution misses the values by " +
-                          std::to_string(std::lround(100 * largest(missed) / largest(values))) +
+                          std::to_string(std::lround(100 * missed / largest(values))) +
                           " percent; take a smaller support radius or a less smooth function");
     return result;
 }

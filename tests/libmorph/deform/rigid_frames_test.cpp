@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace {
@@ -93,6 +94,36 @@ TEST(BoundaryFrames, FollowABoundaryThatRollsUpThroughMoreThanATurn)
         ++checked;
     }
     EXPECT_EQ(checked, kCells - 2 * kEnd + 1);
+}
+
+TEST(BoundaryFrames, WeighEdgesByTheirLengthAndByHowNearTheyAre)
+{
+    MeshData data = test::uneven_square(12);
+    for (Index i = 1; i < 12; ++i)
+        data.points(i, 0) = std::pow(i / 12.0, 1.3); // edges of different length along the bottom
+    const Mesh mesh = build_mesh(data);
+    const HeldBoundary held = held_boundary(mesh, {"bottom"});
+    const auto dent = [](double x, double) { return Eigen::RowVector2d(0, 0.2 * std::exp(-50 * x * x)); };
+    constexpr double kReach = 0.3;
+    const BoundaryFrames frames =
+        boundary_frames(mesh, held, boundary_displacement(mesh, held, dent), kReach);
+    const auto x = [&](Index i) { return data.points(i, 0); };
+    const auto turn = [&](Index i) { // of the edge from i to i + 1, times its length
+        const double rise = dent(x(i + 1), 0)[1] - dent(x(i), 0)[1];
+        return std::complex<double>(x(i + 1) - x(i), rise);
+    };
+    const std::vector<bool> moving = test::is_moving(mesh, held);
+    for (std::size_t h = 0; h < moving.size(); ++h) {
+        const Index at = mesh.numbering.vertex[static_cast<std::size_t>(held.vertices[h])];
+        if (!moving[h])
+            continue;
+        std::complex<double> sum = 0;
+        for (Index i = 0; i <= 12; ++i) {
+            const double nearness = std::max(0.0, 1 - std::abs(x(i) - x(at)) / kReach);
+            sum += nearness * ((i > 0 ? turn(i - 1) : 0) + (i < 12 ? turn(i) : 0));
+        }
+        EXPECT_NEAR(frames.angle[h], std::arg(sum), kSolveTol) << at;
+    }
 }
 
 TEST(BoundaryFrames, AtASharpTrailingEdgeLieBetweenThoseOfTheSides)
