@@ -14,14 +14,14 @@ namespace {
 constexpr Index kRows = 256;    // points a thread takes at a time
 constexpr Index kColumns = 256; // centres whose functions it has in memory at a time: 512 KiB
 
-constexpr double kFlat = 1e-10; // a box this much flatter than long is a line
+constexpr double kFlat = 1e-10; // centres that leave a line by this part of its length are on it
 
 // Rounding moves the eigenvalues of a matrix by some 1e-16 of its trace. What has pivots well above that is
 // factored as it is, else a multiple of the identity is added, not more than the last of these.
 constexpr double kLeastPivot = 1e-15;
 constexpr double kRidges[] = {0, 2e-15, 1e-14, 1e-13, 1e-12, 1e-11};
 
-constexpr double kRounding = 1e-12; // of the largest value: no refinement is needed below
+constexpr double kRounding = 1e-12; // of the norm of values: what an affine move leaves at most
 constexpr double kGivenBack = 0.25; // of the largest value: what misses more is no interpolant
 
 DenseCholesky regularised(const Eigen::MatrixXd& A)
@@ -34,7 +34,7 @@ DenseCholesky regularised(const Eigen::MatrixXd& A)
             DenseCholesky factor(std::move(raised));
             if (factor.least_pivot() >= kLeastPivot * trace)
                 return factor;
-        } catch (const SolverError&) { // the next one
+        } catch (const SolverError&) { // a larger ridge is next
         }
     throw SolverError("the system of " + std::to_string(A.rows()) +
                       " radial functions is singular to working precision; take a smaller support radius or "
