@@ -1,6 +1,7 @@
 // morph-compare: the same change by several methods, side by side.
 //   morph-compare examples/02_thesis_case2/case.toml --methods harmonic,harmonic-distance --page compare.html
 #include "formats/formats.h"
+#include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/builder.h"
 #include "tools/case/generate_mesh.h"
@@ -10,6 +11,7 @@
 #include "tools/compare/comparison.h"
 #include "tools/compare/page.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,7 @@ std::string methods_help()
     std::string text = "Which methods (default: all):";
     for (const CompareMethod& method : compare_methods())
         text += "\n" + method.name + " (" + method.description + ")";
-    return text;
+    return text + "\nNAME+untangle repairs the elements that NAME leaves inverted";
 }
 
 void add_options(CommandLine& line, Options& options)
@@ -50,19 +52,18 @@ void add_options(CommandLine& line, Options& options)
     line.add_from(options.from);
 }
 
-std::vector<const CompareMethod*> chosen_methods(const Options& options)
+std::vector<CompareMethod> chosen_methods(const Options& options)
 {
-    std::vector<const CompareMethod*> chosen;
+    if (options.methods.empty())
+        return compare_methods();
+    std::vector<CompareMethod> chosen;
     for (const std::string& name : options.methods)
-        chosen.push_back(&compare_method(name));
-    if (chosen.empty())
-        for (const CompareMethod& method : compare_methods())
-            chosen.push_back(&method);
+        chosen.push_back(compare_method(name));
     return chosen;
 }
 
 ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
-                          const std::vector<const CompareMethod*>& methods)
+                          const std::vector<CompareMethod>& methods)
 {
     for (BoundaryEntry& boundary : file.boundaries)
         boundary.displacements *= factor;
@@ -70,8 +71,14 @@ ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
     for (const std::string& crossing : boundary_crossings(placed))
         warn(kTool, crossing + ": no valid mesh exists");
     ComparedMove move{factor, {}};
-    for (const CompareMethod* method : methods)
-        move.rows.push_back(compare(mesh, placed, file, *method));
+    for (const CompareMethod& method : methods)
+        try {
+            move.rows.push_back(compare(mesh, placed, file, method));
+        } catch (const std::runtime_error& error) { // the others still tell something
+            warn(kTool, method.name + ": " + error.what());
+        }
+    if (move.rows.empty())
+        throw InputError("no method could make the move");
     return move;
 }
 
@@ -99,7 +106,7 @@ int compare_methods_of(int argc, char** argv)
     add_options(line, options);
     if (!line.parse(argc, argv))
         return kDone;
-    const std::vector<const CompareMethod*> methods = chosen_methods(options);
+    const std::vector<CompareMethod> methods = chosen_methods(options);
     Report report(line.common());
     if (!options.page.empty())
         OutputFiles::require_writable(options.page);

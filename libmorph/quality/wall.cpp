@@ -64,9 +64,9 @@ WallCell cell_beside(const Mesh& mesh, HalfedgeHandle wall, const PositionsView&
     return cell;
 }
 
-Spread spread(const std::vector<WallCell>& cells, double WallCell::*value)
+ValueRange range_of(const std::vector<WallCell>& cells, double WallCell::*value)
 {
-    Spread s{cells.front().*value, 0, cells.front().*value};
+    ValueRange s{cells.front().*value, 0, cells.front().*value};
     for (const WallCell& cell : cells) {
         s.min = std::min(s.min, cell.*value);
         s.max = std::max(s.max, cell.*value);
@@ -131,8 +131,8 @@ std::vector<WallQuality> wall_quality(const Mesh& mesh, const PositionsView& pos
         WallQuality wall;
         wall.marker = marker.name;
         wall.cells = static_cast<Index>(cells.size());
-        wall.height = spread(cells, &WallCell::height);
-        wall.angle = spread(cells, &WallCell::angle);
+        wall.height = range_of(cells, &WallCell::height);
+        wall.angle = range_of(cells, &WallCell::angle);
         if (reference != nullptr) {
             const std::vector<WallCell> before = wall_cells(mesh, marker, *reference);
             wall.change = {largest_change(mesh, positions, before, cells, height_change),

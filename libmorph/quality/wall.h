@@ -36,7 +36,7 @@ double height_change(const WallCell& before, const WallCell& after);
 double angle_change(const WallCell& before, const WallCell& after);
 
 /// Least, mean and largest of some values.
-struct Spread {
+struct ValueRange {
     double min = 0;
     double mean = 0;
     double max = 0;
@@ -59,8 +59,8 @@ struct WallChange {
 struct WallQuality {
     std::string marker;
     Index cells = 0;
-    Spread height;                    ///< see WallCell
-    Spread angle;                     ///< see WallCell
+    ValueRange height;                ///< see WallCell
+    ValueRange angle;                 ///< see WallCell
     std::optional<WallChange> change; ///< with a reference only
 };
 

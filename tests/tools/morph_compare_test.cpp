@@ -76,6 +76,19 @@ TEST_F(MorphCompare, WritesAPageThatNeedsNoOtherFile)
     EXPECT_EQ(embedded, pictures);
 }
 
+TEST_F(MorphCompare, RepairsWhatAMethodLeavesInverted)
+{
+    const auto rows = compare({"--methods", "harmonic,harmonic+untangle,harmonic-rotations", "--moves",
+                               "3"})["moves"][0]["methods"];
+    EXPECT_GT(rows[0]["quality"]["inverted"], 100);
+    EXPECT_EQ(rows[1]["method"], "harmonic+untangle");
+    EXPECT_EQ(rows[1]["quality"]["inverted"], 0);
+    EXPECT_GT(rows[1]["quality"]["min_scaled_jacobian"], 0);
+    EXPECT_EQ(rows[1]["boundary_error"], rows[0]["boundary_error"]); // the boundary is held
+    EXPECT_EQ(rows[2]["quality"]["inverted"], 0);
+    EXPECT_GT(rows[2]["quality"]["mean_size_skew"], rows[0]["quality"]["mean_size_skew"]);
+}
+
 TEST_F(MorphCompare, PrintsATableByDefaultOfEveryMethod)
 {
     const auto result = run_tool("morph-compare", {case_});

@@ -27,11 +27,11 @@ struct MethodOptions {
         double poisson_ratio = 0.3;
     } elasticity;
     struct Spring {
-        std::string stiffness = "inverse-length";
+        std::string stiffness = "inverse-length-squared";
         std::string bracing = "torsion";
     } spring;
     struct Biharmonic {
-        std::string condition = "clamped";
+        std::string condition = "conformal"; ///< or "clamped"
     } biharmonic;
 };
 

@@ -4,6 +4,7 @@
 #include "libmorph/core/names.h"
 #include "tools/common/report.h"
 #include "tools/deform/case_motion.h"
+#include "tools/deform/untangle_moved.h"
 
 #include <Eigen/Geometry>
 
@@ -12,6 +13,8 @@
 namespace morph::tools {
 
 namespace {
+
+const std::string kUntangled = "+untangle";
 
 std::size_t bytes_of(const CaseMotion& motion)
 {
@@ -25,8 +28,9 @@ std::size_t bytes_of(const CaseMotion& motion)
 /// The move of a prepared case, timed.
 void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, MovedMesh& moved)
 {
-    constexpr int kRepeats = 5; // the shortest counts: the others wait for memory or another process
-    for (int i = 0; i < kRepeats; ++i) {
+    // Of a product of weights the shortest time counts: the others wait for memory or another process.
+    const int repeats = motion.carry ? 1 : 5;
+    for (int i = 0; i < repeats; ++i) {
         moved.positions = points(mesh);
         Stopwatch watch;
         apply_motion(mesh, file, motion,
@@ -40,17 +44,34 @@ void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, Mov
     moved.weights_bytes = bytes_of(motion);
 }
 
-MovedMesh move_harmonic(const Mesh& mesh, CaseFile file, const std::string& diffusivity)
+/// The curves move the boundary, the method that @p choose sets carries the mesh.
+template <typename Choose>
+auto carried_by(Choose choose)
 {
-    file.deform.method = "harmonic";
-    file.deform.diffusivity = diffusivity;
-    file.lattice.reset();
-    Stopwatch watch;
-    const CaseMotion motion = prepare_motion(mesh, file);
-    MovedMesh moved;
-    moved.weights_seconds = watch.lap();
-    apply(mesh, file, motion, moved);
-    return moved;
+    return [choose](const Mesh& mesh, const PlacedCase&, CaseFile file) {
+        choose(file.deform);
+        file.lattice.reset();
+        Stopwatch watch;
+        const CaseMotion motion = prepare_motion(mesh, file);
+        MovedMesh moved;
+        moved.weights_seconds = watch.lap();
+        apply(mesh, file, motion, moved);
+        return moved;
+    };
+}
+
+auto by_method(const std::string& method)
+{
+    return carried_by([method](DeformEntry& deform) { deform.method = method; });
+}
+
+auto by_harmonic(const std::string& diffusivity, bool rotations = false)
+{
+    return carried_by([diffusivity, rotations](DeformEntry& deform) {
+        deform.method = "harmonic";
+        deform.diffusivity = diffusivity;
+        deform.rotations = rotations;
+    });
 }
 
 /// A lattice around all bodies with half their size to spare, for a case that has none.
@@ -99,24 +120,42 @@ MovedMesh move_ffd(const Mesh& mesh, const PlacedCase& placed, const CaseFile& f
     return moved;
 }
 
-/// The lattice moves the boundary alone, fitted to the moved curves; harmonic weights carry the mesh.
-MovedMesh move_ffd_harmonic(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
+/// The lattice moves the boundary alone, fitted to the moved curves; another method carries the mesh.
+auto by_lattice_and(const std::string& method)
 {
-    CaseFile ffd = with_lattice(file, placed, -1);
-    Stopwatch watch;
-    CaseMotion fitted = prepare_motion(mesh, ffd);
-    control_motion(mesh, ffd, fitted);
-    ffd.deform.method = "harmonic";
-    ffd.deform.diffusivity = "inverse-distance";
-    for (const BoundaryEntry& boundary : ffd.boundaries)
-        ffd.lattice->markers.push_back(boundary.name);
-    ffd.boundaries.clear();
-    CaseMotion motion = prepare_motion(mesh, ffd);
-    motion.displacements = fitted.displacements;
-    MovedMesh moved;
-    moved.weights_seconds = watch.lap();
-    apply(mesh, ffd, motion, moved);
-    return moved;
+    return [method](const Mesh& mesh, const PlacedCase& placed, const CaseFile& file) {
+        CaseFile ffd = with_lattice(file, placed, -1);
+        Stopwatch watch;
+        CaseMotion fitted = prepare_motion(mesh, ffd);
+        control_motion(mesh, ffd, fitted);
+        ffd.deform.method = method;
+        ffd.deform.diffusivity = "inverse-distance";
+        for (const BoundaryEntry& boundary : ffd.boundaries)
+            ffd.lattice->markers.push_back(boundary.name);
+        ffd.boundaries.clear();
+        CaseMotion motion = prepare_motion(mesh, ffd);
+        motion.displacements = fitted.displacements;
+        MovedMesh moved;
+        moved.weights_seconds = watch.lap();
+        apply(mesh, ffd, motion, moved);
+        return moved;
+    };
+}
+
+/// @p method, and then its inverted elements repaired; the repair counts as part of the move.
+CompareMethod untangled(const CompareMethod& method)
+{
+    return {method.name + kUntangled, method.description + ", then untangled",
+            [move = method.move](const Mesh& mesh, const PlacedCase& placed, const CaseFile& file) {
+                MovedMesh moved = move(mesh, placed, file);
+                Mesh repaired = mesh;
+                points(repaired) = moved.positions;
+                Stopwatch watch;
+                untangle_moved(repaired, points(mesh));
+                moved.move_seconds += watch.lap();
+                moved.positions = points(repaired);
+                return moved;
+            }};
 }
 
 } // namespace
@@ -124,31 +163,34 @@ MovedMesh move_ffd_harmonic(const Mesh& mesh, const PlacedCase& placed, const Ca
 const std::vector<CompareMethod>& compare_methods()
 {
     static const std::vector<CompareMethod> table{
-        {"harmonic", "Laplace's equation, as in the thesis",
-         [](const Mesh& mesh, const PlacedCase&, const CaseFile& file) {
-             return move_harmonic(mesh, file, "uniform");
-         }},
+        {"harmonic", "Laplace's equation, as in the thesis", by_harmonic("uniform")},
         {"harmonic-distance", "harmonic, stiff near the body: diffusivity 1/distance",
-         [](const Mesh& mesh, const PlacedCase&, const CaseFile& file) {
-             return move_harmonic(mesh, file, "inverse-distance");
-         }},
-        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area",
-         [](const Mesh& mesh, const PlacedCase&, const CaseFile& file) {
-             return move_harmonic(mesh, file, "inverse-area");
-         }},
+         by_harmonic("inverse-distance")},
+        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area", by_harmonic("inverse-area")},
+        {"harmonic-rotations", "harmonic (1/distance), the boundary's rotation spread too",
+         by_harmonic("inverse-distance", true)},
+        {"biharmonic", "biharmonic, conformal at the walls", by_method("biharmonic")},
+        {"elasticity", "the mesh as an elastic solid, small elements stiff", by_method("elasticity")},
+        {"spring", "springs along the edges, torsion at the corners", by_method("spring")},
+        {"rbf", "radial basis functions, Wendland C2", by_method("rbf")},
+        {"idw", "inverse distance, with rotations", by_method("idw")},
+        {"damping", "the nearest boundary's move, damped with distance", by_method("damping")},
         {"ffd", "a lattice holds body and mesh: free-form deformation as in the thesis", move_ffd},
         {"ffd-harmonic", "a lattice moves the body, harmonic weights (1/distance) the mesh",
-         move_ffd_harmonic},
+         by_lattice_and("harmonic")},
+        {"ffd-rbf", "a lattice moves the body, radial basis functions the mesh", by_lattice_and("rbf")},
     };
     return table;
 }
 
-const CompareMethod& compare_method(const std::string& name)
+CompareMethod compare_method(const std::string& name)
 {
+    const bool repair = name.ends_with(kUntangled);
+    const std::string base = repair ? name.substr(0, name.size() - kUntangled.size()) : name;
     std::vector<std::string> names;
     for (const CompareMethod& method : compare_methods()) {
-        if (method.name == name)
-            return method;
+        if (method.name == base)
+            return repair ? untangled(method) : method;
         names.push_back(method.name);
     }
     throw InputError("method '" + name + "' is not known; known are " + joined(names) +

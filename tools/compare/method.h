@@ -2,6 +2,7 @@
 
 #include "tools/deform/moved_case.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,14 @@ struct MovedMesh {
 struct CompareMethod {
     std::string name;
     std::string description; ///< a few words for --help
-    MovedMesh (*move)(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file);
+    std::function<MovedMesh(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)> move;
 };
 
 /// Every method, in the order of the table in the source; a new one is one more row there.
 const std::vector<CompareMethod>& compare_methods();
 
+/// The method of that name; "NAME+untangle" repairs the elements that NAME leaves inverted.
 /// @throws InputError  no such method; names the nearest
-const CompareMethod& compare_method(const std::string& name);
+CompareMethod compare_method(const std::string& name);
 
 } // namespace morph::tools

@@ -52,9 +52,9 @@ ordered_json worst_json(const WorstElement& worst, const ElementPlace& place, bo
     return json;
 }
 
-ordered_json spread_json(const Spread& spread)
+ordered_json range_json(const ValueRange& range)
 {
-    return {{"min", spread.min}, {"mean", spread.mean}, {"max", spread.max}};
+    return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
 }
 
 ordered_json change_json(const WallPlace& change)
@@ -66,8 +66,8 @@ ordered_json wall_json(const WallQuality& wall)
 {
     ordered_json json{{"marker", wall.marker},
                       {"cells", wall.cells},
-                      {"first_cell_height", spread_json(wall.height)},
-                      {"orthogonality", spread_json(wall.angle)}};
+                      {"first_cell_height", range_json(wall.height)},
+                      {"orthogonality", range_json(wall.angle)}};
     if (wall.change) {
         json["height_change"] = change_json(wall.change->height);
         json["orthogonality_change"] = change_json(wall.change->angle);
