@@ -31,8 +31,8 @@ public:
     using Square = Eigen::Matrix<double, dimension, dimension>;
 
     Finder(const LatticeTree& tree, const TensorNet& net, const Eigen::Vector3d& origin)
-        : tree_(tree), sum_(tree.lattice(), net), origin_(origin),
-          close_(kRoundOff * tree.lattice().size()), margin_(tree.margin())
+        : tree_(tree), sum_(tree.lattice(), net), origin_(origin), close_(kRoundOff * tree.lattice().size()),
+          margin_(tree.margin())
     {
     }
 
@@ -132,7 +132,8 @@ private:
 
     using Sum = TensorSum<dimension, dimension + (rational ? 1 : 0), degree>;
 
-    // A start for a point of a sure part is within kVariation of it, and the part reaches 1/2 from its middle.
+    // A start for a point of a sure part is within kVariation of it, and the part reaches 1/2 from its
+    // middle.
     static constexpr double kFarthestStart = 0.5 * (1 + LatticeTree::kVariation) + 1e-9;
 
     const LatticeTree& tree_;

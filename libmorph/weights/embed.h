@@ -18,10 +18,10 @@ struct Embedding {
 /// Find the parameters of points in a lattice, which may be deformed: S(parameters) = points.
 ///
 /// A tree of boxes over parts of the lattice gives a start from which Newton's method converges
-/// [Tavla 2021, 2.2, with a Newton finish]. Points that follow each other begin in the part of the one before.
-/// S is met to 1e-14 of the lattice's size, and to the rounding of the coordinates; points that lie as close to
-/// the boundary count as inside. Where the lattice is folded a point gets one of its parameters, or none. Points
-/// with a coordinate that is not finite are outside. Equal bytes for any thread count.
+/// [Tavla 2021, 2.2, with a Newton finish]. Points that follow each other begin in the part of the one
+/// before. S is met to 1e-14 of the lattice's size, and to the rounding of the coordinates; points that lie
+/// as close to the boundary count as inside. Where the lattice is folded a point gets one of its parameters,
+/// or none. Points with a coordinate that is not finite are outside. Equal bytes for any thread count.
 ///
 /// @param points  n x 3, length unit of the mesh; in the plane z does not count
 Embedding embed(const LatticeTree& tree, const Eigen::Ref<const Points>& points);

@@ -63,8 +63,8 @@ std::string case_text(const tools::CaseFile& file)
         text << "file = \"" << file.mesh_file << "\"\n";
     for (const tools::BoundaryEntry& entry : file.boundaries)
         text << '\n' << boundary_text(entry);
-    text << "\n[deform]\nmethod = \"" << file.deform.method << "\"\ndiffusivity = \"" << file.deform.diffusivity
-         << "\"\nguard = \"" << file.deform.guard << "\"\n";
+    text << "\n[deform]\nmethod = \"" << file.deform.method << "\"\ndiffusivity = \""
+         << file.deform.diffusivity << "\"\nguard = \"" << file.deform.guard << "\"\n";
     return text.str();
 }
 
