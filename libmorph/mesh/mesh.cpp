@@ -54,4 +54,17 @@ std::vector<Index> marker_vertices(const Marker& marker)
     return vertices;
 }
 
+std::vector<Index> first_copies(const Numbering& numbering)
+{
+    std::vector<Index> of_file(static_cast<std::size_t>(numbering.file_vertices), -1);
+    std::vector<Index> first(numbering.vertex.size());
+    for (std::size_t v = 0; v < first.size(); ++v) {
+        Index& known = of_file[static_cast<std::size_t>(numbering.vertex[v])];
+        if (known < 0)
+            known = static_cast<Index>(v);
+        first[v] = known;
+    }
+    return first;
+}
+
 } // namespace morph

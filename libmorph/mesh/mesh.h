@@ -56,6 +56,9 @@ inline Eigen::Map<const Points> points(const Mesh& mesh)
     return {n == 0 ? nullptr : mesh.kernel.points()->data(), n, 3};
 }
 
+/// For each vertex the first copy of it: itself, unless it is split.
+std::vector<Index> first_copies(const Numbering& numbering);
+
 /// Corners of face @p face in order, the first as in the file.
 Element element_corners(const Mesh& mesh, Index face);
 

@@ -2,23 +2,6 @@
 
 namespace morph {
 
-namespace {
-
-std::vector<Index> first_copies(const Numbering& numbering)
-{
-    std::vector<Index> of_file(static_cast<std::size_t>(numbering.file_vertices), -1);
-    std::vector<Index> first(numbering.vertex.size());
-    for (std::size_t v = 0; v < first.size(); ++v) {
-        Index& known = of_file[static_cast<std::size_t>(numbering.vertex[v])];
-        if (known < 0)
-            known = static_cast<Index>(v);
-        first[v] = known;
-    }
-    return first;
-}
-
-} // namespace
-
 Stars::Stars(const Mesh& mesh)
     : vertex_of(first_copies(mesh.numbering)), elements(element_table(mesh)), start(vertex_of.size() + 1)
 {
