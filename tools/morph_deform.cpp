@@ -11,6 +11,7 @@
 #include "tools/common/run.h"
 #include "tools/deform/deform_report.h"
 #include "tools/deform/gradient_file.h"
+#include "tools/deform/polygon_crossings.h"
 #include "tools/deform/untangle_moved.h"
 
 #include <algorithm>
@@ -130,6 +131,8 @@ void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, 
 
 std::string advice(const DeformResult& result)
 {
+    if (!result.crossings.empty())
+        return "no position of the others can mend it while the boundary crosses itself";
     if (result.untangled && !result.untangled->hopeless.empty())
         return "element " + std::to_string(result.untangled->hopeless[0]) +
                " has all its vertices on the boundary, so that no position of the others can mend it";
@@ -178,6 +181,8 @@ void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, 
         result.safe_step = safe_step(mesh, before, points(mesh));
     if (result.guard != "none") {
         result.crossings = boundary_crossings(motion.curves);
+        if (result.crossings.empty() && mesh.dimension == 2)
+            result.crossings = polygon_crossings(mesh, before);
         if (result.guard == "untangle" && result.crossings.empty())
             repair(mesh, before, result);
         result.before = quality_report(mesh, before);

@@ -87,6 +87,24 @@ INSTANTIATE_TEST_SUITE_P(Airfoils, LargeTurn,
                                            Airfoil{"naca0012_lam_hybrid.su2", "airfoil"},
                                            Airfoil{"rae2822_turb.su2", "AIRFOIL"}));
 
+TEST(Guard, DoesNotTryToRepairAMeshWhoseBoundaryCrossesItself)
+{
+    // No curve: the lattice pulls the upper side of the airfoil through the lower one.
+    const TemporaryFolder folder;
+    const std::string text =
+        "[mesh]\nfile = \"" + test::example_path("naca0012_inv.su2") +
+        "\"\n[lattice]\npoints = [3, 3]\ndegree = [1, 1]\nbox = [-0.5, -0.5, 1.5, 0.5]\n"
+        "displacements = [[1, 2, 0, -1.5]]\n[deform]\nmethod = \"ffd\"\nguard = \"untangle\"\n";
+    const auto result = run_tool("morph-deform", {folder.write("case.toml", text), "-o", folder.file("m.su2"),
+                                                  "--json", folder.file("r.json")});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.errors, HasSubstr("the moved boundary 'airfoil' crosses itself near ("));
+    EXPECT_THAT(result.errors, HasSubstr("no valid mesh exists"));
+    const auto report = nlohmann::json::parse(test::read_text(folder.file("r.json")));
+    EXPECT_EQ(report["boundary_crossings"].size(), 1U);
+    EXPECT_FALSE(report.contains("untangle"));
+}
+
 /// The unit square whose top is a curve that moves.
 class MovedSide : public ::testing::Test {
 protected:

@@ -1,0 +1,60 @@
+#include "tools/deform/polygon_crossings.h"
+
+#include "libmorph/geometry/edge_crossing.h"
+#include "tools/common/report.h"
+
+#include <algorithm>
+
+namespace morph::tools {
+
+namespace {
+
+using Edge = std::array<Index, 2>;
+
+/// Edges of the boundary, the copies of a split vertex taken as one.
+std::vector<Edge> boundary_edges(const Mesh& mesh)
+{
+    const std::vector<Index> first = first_copies(mesh.numbering);
+    std::vector<Edge> edges;
+    for (const auto edge : mesh.kernel.edges()) {
+        if (!mesh.kernel.is_boundary(edge))
+            continue;
+        const auto half = mesh.kernel.halfedge_handle(edge, 0);
+        const auto from = static_cast<std::size_t>(mesh.kernel.from_vertex_handle(half).idx());
+        const auto to = static_cast<std::size_t>(mesh.kernel.to_vertex_handle(half).idx());
+        edges.push_back({std::min(first[from], first[to]), std::max(first[from], first[to])});
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+/// "the moved boundary 'airfoil'", or without its name when no marker has the edge.
+std::string name_of(const Mesh& mesh, const Edge& edge)
+{
+    const std::vector<Index> first = first_copies(mesh.numbering);
+    for (const Marker& marker : mesh.markers)
+        for (const auto& [a, b] : marker.edges)
+            if (std::minmax(first[static_cast<std::size_t>(a)], first[static_cast<std::size_t>(b)]) ==
+                std::minmax(edge[0], edge[1]))
+                return "the moved boundary '" + marker.name + "'";
+    return "the moved boundary";
+}
+
+} // namespace
+
+std::vector<std::string> polygon_crossings(const Mesh& moved, const PositionsView& before)
+{
+    const std::vector<Edge> edges = boundary_edges(moved);
+    const auto crossing = find_edge_crossing(points(moved), edges);
+    if (!crossing || find_edge_crossing(before, edges))
+        return {};
+    const Edge& one = edges[static_cast<std::size_t>(crossing->edges[0])];
+    const Edge& other = edges[static_cast<std::size_t>(crossing->edges[1])];
+    const std::string first = name_of(moved, one);
+    const std::string second = name_of(moved, other);
+    return {first + " crosses " + (first == second ? "itself" : second) + " near (" +
+            short_number(crossing->point.x()) + ", " + short_number(crossing->point.y()) +
+            "), between its nodes"};
+}
+
+} // namespace morph::tools
