@@ -24,9 +24,10 @@ const std::vector<Layer>& layers()
     static const std::vector<std::string> base{"libmorph/core", "libmorph/mesh"};
     static const std::vector<std::string> low{"libmorph/core",     "libmorph/mesh",     "libmorph/basis",
                                               "libmorph/geometry", "libmorph/numerics", "libmorph/quality"};
-    static const std::vector<std::string> with_weights = [] {
+    static const std::vector<std::string> above_deform = [] {
         auto list = low;
         list.emplace_back("libmorph/weights");
+        list.emplace_back("libmorph/untangle");
         return list;
     }();
     static const std::vector<Layer> list{
@@ -36,11 +37,11 @@ const std::vector<Layer>& layers()
         {"libmorph/geometry", {"libmorph/core", "libmorph/mesh", "libmorph/basis"}},
         {"libmorph/numerics", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"libmorph/quality", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
-        {"libmorph/weights", low},
-        {"libmorph/deform", with_weights},
-        {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"libmorph/untangle",
          {"libmorph/core", "libmorph/mesh", "libmorph/geometry", "libmorph/numerics", "libmorph/quality"}},
+        {"libmorph/weights", low},
+        {"libmorph/deform", above_deform},
+        {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"formats", base},
         {"tools", {"libmorph", "formats"}},
     };

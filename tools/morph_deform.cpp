@@ -4,6 +4,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/deform/gradient.h"
+#include "libmorph/deform/repair.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/weights/weight_fields.h"
 #include "tools/case/generate_mesh.h"
@@ -12,7 +13,6 @@
 #include "tools/deform/deform_report.h"
 #include "tools/deform/gradient_file.h"
 #include "tools/deform/polygon_crossings.h"
-#include "tools/deform/untangle_moved.h"
 
 #include <algorithm>
 
@@ -155,12 +155,12 @@ void warn_of_invalid_mesh(const DeformResult& result)
         warn(kTool, safe_step_text(*result.safe_step));
 }
 
-void repair(Mesh& mesh, const Points& before, DeformResult& result)
+void untangle_moved(Mesh& mesh, const Points& before, DeformResult& result)
 {
     result.tangled = static_cast<Index>(inverted_elements(mesh, points(mesh)).size());
     if (result.tangled == 0)
         return;
-    result.untangled = untangle_moved(mesh, before);
+    result.untangled = repair(mesh, before);
     for (std::vector<Index>* list : {&result.untangled->inverted, &result.untangled->hopeless}) {
         for (Index& element : *list)
             element = mesh.numbering.element[static_cast<std::size_t>(element)];
@@ -184,7 +184,7 @@ void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, 
         if (result.crossings.empty() && mesh.dimension == 2)
             result.crossings = polygon_crossings(mesh, before);
         if (result.guard == "untangle" && result.crossings.empty())
-            repair(mesh, before, result);
+            untangle_moved(mesh, before, result);
         result.before = quality_report(mesh, before);
         result.after = quality_report(mesh);
     }

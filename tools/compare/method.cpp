@@ -2,9 +2,9 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
+#include "libmorph/deform/repair.h"
 #include "tools/common/report.h"
 #include "tools/deform/case_motion.h"
-#include "tools/deform/untangle_moved.h"
 
 #include <Eigen/Geometry>
 
@@ -151,7 +151,7 @@ CompareMethod untangled(const CompareMethod& method)
                 Mesh repaired = mesh;
                 points(repaired) = moved.positions;
                 Stopwatch watch;
-                untangle_moved(repaired, points(mesh));
+                repair(repaired, points(mesh));
                 moved.move_seconds += watch.lap();
                 moved.positions = points(repaired);
                 return moved;
