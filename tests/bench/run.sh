@@ -10,6 +10,9 @@ done
 echo "== the peer of lattice_bench in NumPy"
 python3 "$(dirname "$0")/full_length_passes.py"
 
+echo "== how far meshes can be moved"
+python3 "$(dirname "$0")/large_moves.py" "$build/bin"
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for vertices in 16000 100000 1000000 4000000; do
