@@ -11,7 +11,6 @@ namespace {
 
 using namespace morph;
 using namespace morph::tools;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 const std::string kCase = R"([mesh]

@@ -22,9 +22,9 @@ struct Told {
     bool couples; ///< x and y influence each other, or rotations are spread
 };
 
-void PrintTo(const Told& told, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const Told& told)
 {
-    *out << told.method << ' ' << told.more;
+    return out << told.method << ' ' << told.more;
 }
 
 class Method : public ::testing::TestWithParam<Told> {

@@ -26,9 +26,9 @@ struct RealCase {
     std::vector<std::string> markers;
 };
 
-void PrintTo(const RealCase& real, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const RealCase& real)
 {
-    *out << real.mesh;
+    return out << real.mesh;
 }
 
 nlohmann::json report_of(const std::string& path)

@@ -98,7 +98,7 @@ void require_no_weights_wanted(const CaseFile& file, const std::string& weights_
 }
 
 /// With other weights of the control points the map is not linear in them.
-void move_reweighed(const CaseFile& file, const CaseMotion& motion, Eigen::Map<Points> positions)
+void move_reweighed(const CaseFile& file, const CaseMotion& motion, const Eigen::Map<Points>& positions)
 {
     const Lattice& before = motion.lattice->lattice;
     Points control_points = before.definition().control_points;

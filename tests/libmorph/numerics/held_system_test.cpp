@@ -49,7 +49,8 @@ struct RandomPatches {
 
     Eigen::MatrixXd dense() const
     {
-        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(c * n, c * n);
+        const Eigen::Index size = Eigen::Index{c} * n;
+        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
         for (std::size_t p = 0; p < matrices.size(); ++p)
             for (Index i = 0; i < matrices[p].rows(); ++i)
                 for (Index j = 0; j < matrices[p].cols(); ++j)
@@ -93,7 +94,7 @@ TEST(HeldSystem, HoldsAndBalancesEveryUnknown)
         const RandomPatches random(40, c, 2);
         const std::vector<Index> held{7, 0, 21};
         const HeldSystem system(random.where, random.sum(), c, held);
-        const Index m = 3;
+        const Eigen::Index m = 3;
         const Matrix values = Matrix::Random(3, c * m), load = Matrix::Random(40, c * m);
         const Matrix u = system.solve(values, load);
         EXPECT_EQ(u(held, Eigen::all), values);

@@ -25,7 +25,7 @@ constexpr double kTol = 1e-13;
 MeshData stretched_rectangle(Index columns)
 {
     MeshData mesh;
-    mesh.points.resize((columns + 1) * 5, 3);
+    mesh.points.resize((Eigen::Index{columns} + 1) * 5, 3);
     const Index row = columns + 1;
     for (Index j = 0; j <= 4; ++j)
         for (Index i = 0; i <= columns; ++i)

@@ -86,10 +86,10 @@ MeshData square_around_a_block()
 {
     constexpr Index cells = 25;
     MeshData data;
-    std::vector<Index> number((cells + 1) * (cells + 1), -1);
+    std::vector<Index> number(static_cast<std::size_t>(cells + 1) * (cells + 1), -1);
     std::vector<std::array<double, 2>> places;
     const auto vertex = [&](Index i, Index j) {
-        Index& known = number[static_cast<std::size_t>(j * (cells + 1) + i)];
+        Index& known = number[static_cast<std::size_t>(j) * (cells + 1) + static_cast<std::size_t>(i)];
         if (known < 0) {
             known = static_cast<Index>(places.size());
             places.push_back({static_cast<double>(i) / cells, static_cast<double>(j) / cells});

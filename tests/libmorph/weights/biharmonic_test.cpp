@@ -167,7 +167,7 @@ struct WalledSquare {
         for (std::size_t v = 0; v < row.size(); ++v)
             row[static_cast<std::size_t>(mesh.numbering.vertex[v])] = static_cast<Index>(v);
         const auto middle = [&](Index j) {
-            return row[static_cast<std::size_t>(j * (kCells + 1) + kCells / 2)];
+            return row[static_cast<std::size_t>(j) * (kCells + 1) + kCells / 2];
         };
         for (Index j = 0; j < kCells; ++j) {
             held.walls.push_back({middle(j), middle(j + 1)});
