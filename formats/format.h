@@ -10,23 +10,56 @@
 
 namespace morph {
 
-/// What a file is called and what is in it. Readers work on the bytes; @p path is for messages.
+/// What is wanted of a file that holds more than one mesh of triangles and quads.
+struct ReadOptions {
+    bool surface = false; ///< of a volume mesh: its boundary faces
+    std::string zone; ///< number (from 1) or name of the zone to take; empty: all, each a group of elements
+};
+
+/// What a reader has to say beside the mesh.
+struct ReadNotes {
+    std::string version;               ///< of the file: "4.1, binary"
+    std::vector<std::string> warnings; ///< what was left out of the mesh, by name, one line each
+};
+
+/// What a file is called, what is in it and what is wanted of it. Readers work on the bytes; @p path is for
+/// messages and for the files beside it.
 struct InputBytes {
     std::string path;
     std::string_view bytes;
+    ReadOptions options = {};
+    ReadNotes* notes = nullptr; ///< where to say what there is to say; null: nobody listens
+
+    void warn(const std::string& what) const
+    {
+        if (notes)
+            notes->warnings.push_back(path + ": " + what);
+    }
+    void set_version(const std::string& version) const
+    {
+        if (notes)
+            notes->version = version;
+    }
 };
 
 /// What a format has a place for; the rest is named in a warning on writing.
 struct FormatCapabilities {
     bool surface = false; ///< z coordinates
     bool markers = false;
+    bool groups = false; ///< named sets of elements
     bool vertex_fields = false;
     bool element_fields = false;
     bool elements = true; ///< false: points only, which nobody takes for a mesh
+    bool quads = true;    ///< false: writers split them into triangles and say so
+    bool ascii = true;    ///< written as text
+    bool binary = false;  ///< written as numbers
+    bool compressed = false;
+    bool volume = false; ///< a volume mesh can be in it, whose boundary `surface` of ReadOptions takes
 };
 
 struct WriteOptions {
-    bool binary = true; ///< where the format has both
+    bool binary = true;    ///< where the format has both
+    bool compress = false; ///< where the format can
 };
 
 /// A file that goes with a mesh file and holds what that cannot.
@@ -45,7 +78,7 @@ struct Format {
 
     /// @throws InputError  "path:line: what is wrong" (binary: "path: byte 123: …")
     std::function<MeshData(const InputBytes&)> read;
-    std::function<void(const MeshData&, const WriteOptions&, OutputFile&)> write;
+    std::function<void(const MeshData&, const WriteOptions&, OutputFile&)> write; ///< null: only read
 
     /// What else of this mesh the format cannot hold, each for "FORMAT cannot hold …"; may be empty.
     std::function<std::vector<std::string>(const MeshData&, const WriteOptions&)> losses = nullptr;

@@ -1,5 +1,6 @@
 #include "formats/formats.h"
 
+#include "formats/gzip.h"
 #include "formats/input_file.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
@@ -75,6 +76,12 @@ std::vector<std::string> losses(const MeshData& data, const Format& format, cons
             names.push_back(m.name);
         lost.push_back(cannot + std::to_string(names.size()) + " marker(s) " + joined(names));
     }
+    if (!format.holds.groups && !data.groups.empty()) {
+        std::vector<std::string> names;
+        for (const ElementGroup& group : data.groups)
+            names.push_back(group.name);
+        lost.push_back(cannot + std::to_string(names.size()) + " group(s) of elements " + joined(names));
+    }
     if (!format.holds.vertex_fields && has_fields(data, FieldLocation::vertex))
         lost.push_back(cannot + field_list(data, FieldLocation::vertex));
     if (!format.holds.element_fields && has_fields(data, FieldLocation::element))
@@ -130,11 +137,16 @@ const Format& find_format(const std::string& path, const std::string& name)
     return name.empty() ? format_by_extension(path) : format_by_name(name);
 }
 
-MeshData read_mesh_data(const std::string& path, const std::string& format)
+MeshData read_mesh_data(const std::string& path, const std::string& format, const ReadOptions& options,
+                        ReadNotes* notes)
 {
-    const Format& reader = find_format(path, format);
+    const Format& reader = find_format(without_gz(path), format);
     const InputFile file(path);
-    return reader.read({path, file.bytes()});
+    require_memory(path, file.bytes().size());
+    if (!is_gzip(file.bytes()))
+        return reader.read({path, file.bytes(), options, notes});
+    const std::string expanded = gunzip(file.bytes(), path);
+    return reader.read({path, expanded, options, notes});
 }
 
 Mesh read_mesh(const std::string& path, const std::string& format)
@@ -161,6 +173,8 @@ std::vector<std::string> write_mesh_data(const MeshData& data, const std::string
                                          const std::string& format, const WriteOptions& options)
 {
     const Format& writer = find_format(path, format);
+    if (!writer.write)
+        throw InputError(path + ": " + std::string(writer.name) + " can only be read; write .vtu");
     require_surface_fits(data, writer, path);
     writer.write(data, options, files.open(path));
     if (writer.companions)

@@ -12,7 +12,8 @@ namespace morph {
 /// Read a mesh file into flat arrays.
 /// @param format  name of the format; empty: by the extension
 /// @throws InputError  "path:line: what is wrong"
-MeshData read_mesh_data(const std::string& path, const std::string& format = "");
+MeshData read_mesh_data(const std::string& path, const std::string& format = "",
+                        const ReadOptions& options = {}, ReadNotes* notes = nullptr);
 
 /// Read a mesh file and build its halfedge structure.
 /// @throws InputError  as read_mesh_data() and build_mesh(), with the path in front

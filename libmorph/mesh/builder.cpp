@@ -96,6 +96,23 @@ std::vector<Marker> markers_of_file(const Mesh& mesh)
     return markers;
 }
 
+/// The groups with each element number f replaced by numbers[f].
+std::vector<ElementGroup> renumbered(std::vector<ElementGroup> groups, const std::vector<Index>& numbers)
+{
+    for (ElementGroup& group : groups)
+        for (Index& element : group.elements)
+            element = numbers[static_cast<std::size_t>(element)];
+    return groups;
+}
+
+std::vector<Index> inverse(const std::vector<Index>& permutation)
+{
+    std::vector<Index> result(permutation.size());
+    for (std::size_t i = 0; i < permutation.size(); ++i)
+        result[static_cast<std::size_t>(permutation[i])] = static_cast<Index>(i);
+    return result;
+}
+
 } // namespace
 
 Mesh build_mesh(MeshData data)
@@ -114,6 +131,8 @@ Mesh build_mesh(MeshData data)
     markers_to_halfedges(mesh, edges);
     split_vertices(mesh);
     halfedges_to_markers(mesh);
+    if (!data.groups.empty())
+        mesh.groups = renumbered(std::move(data.groups), inverse(mesh.numbering.element));
     mesh.fields = std::move(data.fields);
     for (Field& field : mesh.fields)
         field.values =
@@ -132,6 +151,7 @@ MeshData to_data(const Mesh& mesh)
     data.points = scattered<Points>(points(mesh), mesh.numbering.vertex, vertices);
     data.elements = elements_of_file(mesh);
     data.markers = markers_of_file(mesh);
+    data.groups = renumbered(mesh.groups, mesh.numbering.element);
     for (const Field& field : mesh.fields)
         data.fields.push_back({field.name, field.location,
                                field.location == FieldLocation::vertex

@@ -17,8 +17,9 @@ namespace morph {
 ///
 /// @throws InputError  a vertex index out of range, a coordinate that is not finite, an element with
 ///                     a repeated vertex, an element listed twice, an edge of three elements, a surface
-///                     that cannot be oriented, a marker edge that is no edge of an element, a field
-///                     with the wrong number of rows; each names the ids (file numbers) involved
+///                     that cannot be oriented, a marker edge that is no edge of an element, a group
+///                     that names an element twice or one that is none, a field with the wrong number of
+///                     rows; each names the ids (file numbers) involved
 Mesh build_mesh(MeshData data);
 
 /// The mesh in the numbering, orientation and marker order of its file: the inverse of build_mesh().

@@ -94,6 +94,19 @@ void check_marker(const Marker& marker, const MeshData& data)
     }
 }
 
+void check_group(const ElementGroup& group, const MeshData& data)
+{
+    std::vector<bool> seen(data.elements.size());
+    for (const Index element : group.elements) {
+        const std::string owner = "group '" + group.name + "' names element " + std::to_string(element);
+        if (element < 0 || static_cast<std::size_t>(element) >= data.elements.size())
+            throw InputError(owner + ", but the mesh has " + std::to_string(data.elements.size()));
+        if (seen[static_cast<std::size_t>(element)])
+            throw InputError(owner + " twice");
+        seen[static_cast<std::size_t>(element)] = true;
+    }
+}
+
 void check_field(const Field& field, const MeshData& data)
 {
     constexpr Eigen::Index kMostComponents = 9;
@@ -132,6 +145,8 @@ void check_input(const MeshData& data)
     check_elements(data);
     for (const Marker& marker : data.markers)
         check_marker(marker, data);
+    for (const ElementGroup& group : data.groups)
+        check_group(group, data);
     for (const Field& field : data.fields)
         check_field(field, data);
 }

@@ -28,6 +28,7 @@ struct Mesh {
     Kernel kernel;
     Numbering numbering;
     std::vector<Marker> markers;
+    std::vector<ElementGroup> groups;
     std::vector<Field> fields;
     std::vector<CarriedText> carried;
 };

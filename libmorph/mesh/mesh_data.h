@@ -23,6 +23,13 @@ struct Marker {
     std::vector<std::array<Index, 2>> edges;
 };
 
+/// Named set of elements: a physical group, patch, zone or property of the file. An element may be in
+/// several.
+struct ElementGroup {
+    std::string name;
+    std::vector<Index> elements; ///< in the order of the file, each once
+};
+
 enum class FieldLocation { vertex, element };
 
 /// Named values, 1 to 9 components, one row per vertex or element.
@@ -47,6 +54,7 @@ struct MeshData {
     Points points;     ///< n x 3
     std::vector<Element> elements;
     std::vector<Marker> markers;
+    std::vector<ElementGroup> groups;
     std::vector<Field> fields;
     std::vector<CarriedText> carried;
 };

@@ -41,6 +41,14 @@ std::string difference(const MeshData& a, const MeshData& b)
         if (a.markers[m].edges != b.markers[m].edges)
             return "edges of marker " + a.markers[m].name;
     }
+    if (a.groups.size() != b.groups.size())
+        return "number of groups";
+    for (std::size_t g = 0; g < a.groups.size(); ++g) {
+        if (a.groups[g].name != b.groups[g].name)
+            return "groups '" + a.groups[g].name + "' and '" + b.groups[g].name + "'";
+        if (a.groups[g].elements != b.groups[g].elements)
+            return "elements of group " + a.groups[g].name;
+    }
     if (a.fields.size() != b.fields.size())
         return "number of fields";
     for (std::size_t f = 0; f < a.fields.size(); ++f)
