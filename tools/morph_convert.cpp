@@ -82,7 +82,7 @@ void add_edit_options(CLI::App& app, Options& options)
     app.add_option("--rename-marker", options.edits.renames,
                    "Rename a marker or group; may be given several times")
         ->type_name("OLD=NEW")
-        ->expected(1);
+        ->allow_extra_args(false);
     app.add_option("--drop-fields", options.drop_fields, "Leave out the fields of these names, or all")
         ->type_name("[NAME,...]")
         ->expected(0, 1)

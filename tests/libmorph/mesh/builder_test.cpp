@@ -218,6 +218,18 @@ TEST(BuildMesh, CarriesWhatItDoesNotKnow)
     EXPECT_EQ(back.carried[0].text, "FFD_NBOX= 1\n");
 }
 
+TEST(BuildMesh, KeepsGroupsWithTheirElements)
+{
+    MeshData data = test::uneven_square(5);
+    data.groups = {{"some", {40, 3, 17}}, {"empty", {}}, {"again", {3}}};
+    const Mesh mesh = build_mesh(data);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto inside = static_cast<std::size_t>(mesh.groups[0].elements[i]);
+        EXPECT_EQ(mesh.numbering.element[inside], data.groups[0].elements[i]);
+    }
+    EXPECT_EQ(test::difference(data, to_data(mesh)), "");
+}
+
 TEST(BuildMesh, KeepsTheDirectionOfMarkerEdges)
 {
     MeshData data = test::uneven_square(4);

@@ -161,6 +161,17 @@ TEST(BuildMesh, RefusesFieldsOfTheWrongShape)
               "field 'p' has 10 components, but 1 to 9 can be held");
 }
 
+TEST(BuildMesh, RefusesGroupsOfElementsThatAreNone)
+{
+    MeshData data = test::uneven_square(4); // 32 elements
+    data.groups = {{"wing", {3, 32}}};
+    EXPECT_EQ(refusal(data), "group 'wing' names element 32, but the mesh has 32");
+    data.groups = {{"wing", {-1}}};
+    EXPECT_EQ(refusal(data), "group 'wing' names element -1, but the mesh has 32");
+    data.groups = {{"body", {3}}, {"wing", {7, 3, 7}}};
+    EXPECT_EQ(refusal(data), "group 'wing' names element 7 twice");
+}
+
 TEST(BuildMesh, RefusesMoreThanCanBeNumbered)
 {
     EXPECT_NO_THROW(require_countable(2'147'483'647, 268'435'455));
