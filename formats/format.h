@@ -90,7 +90,7 @@ struct Format {
 /// Every format, in the order of formats/CMakeLists.txt.
 const std::vector<const Format*>& all_formats();
 
-/// The format of that name, or by the extension of @p path when @p name is empty.
+/// The format of that name, or by the extension of @p path (before a ".gz") when @p name is empty.
 /// @throws InputError  unknown; lists those known
 const Format& find_format(const std::string& path, const std::string& name);
 

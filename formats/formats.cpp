@@ -35,7 +35,7 @@ const Format& format_by_name(const std::string& name)
 
 const Format& format_by_extension(const std::string& path)
 {
-    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
+    const std::string extension = lower_case(std::filesystem::path(without_gz(path)).extension().string());
     std::vector<std::string> known;
     for (const Format* format : all_formats())
         for (const std::string_view candidate : format->extensions) {
@@ -140,13 +140,9 @@ const Format& find_format(const std::string& path, const std::string& name)
 MeshData read_mesh_data(const std::string& path, const std::string& format, const ReadOptions& options,
                         ReadNotes* notes)
 {
-    const Format& reader = find_format(without_gz(path), format);
+    const Format& reader = find_format(path, format);
     const InputFile file(path);
-    require_memory(path, file.bytes().size());
-    if (!is_gzip(file.bytes()))
-        return reader.read({path, file.bytes(), options, notes});
-    const std::string expanded = gunzip(file.bytes(), path);
-    return reader.read({path, expanded, options, notes});
+    return reader.read({path, file.bytes(), options, notes});
 }
 
 Mesh read_mesh(const std::string& path, const std::string& format)
@@ -173,6 +169,8 @@ std::vector<std::string> write_mesh_data(const MeshData& data, const std::string
                                          const std::string& format, const WriteOptions& options)
 {
     const Format& writer = find_format(path, format);
+    if (without_gz(path) != path)
+        throw InputError(path + ": gzip files are read, but not written; leave out the .gz");
     if (!writer.write)
         throw InputError(path + ": " + std::string(writer.name) + " can only be read; write .vtu");
     require_surface_fits(data, writer, path);

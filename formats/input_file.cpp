@@ -1,5 +1,6 @@
 #include "formats/input_file.h"
 
+#include "formats/gzip.h"
 #include "libmorph/core/error.h"
 
 #include <array>
@@ -46,7 +47,14 @@ std::string read_stream(int descriptor, const std::string& path)
 
 } // namespace
 
-InputFile::InputFile(const std::string& path)
+InputFile::InputFile(const std::string& path) : InputFile()
+{
+    load(path);
+    if (is_gzip(bytes_))
+        expand(path);
+}
+
+void InputFile::load(const std::string& path)
 {
     const int number = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (number < 0)
@@ -65,6 +73,7 @@ InputFile::InputFile(const std::string& path)
         return;
     }
     const auto size = static_cast<std::size_t>(info.st_size);
+    require_memory(path, size);
     if (size == 0)
         return;
     mapping_ = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
@@ -76,10 +85,24 @@ InputFile::InputFile(const std::string& path)
     bytes_ = {static_cast<const char*>(mapping_), size};
 }
 
+void InputFile::expand(const std::string& path)
+{
+    std::string text = gunzip(bytes_, path);
+    unmap();
+    stream_ = std::move(text);
+    bytes_ = stream_;
+}
+
 InputFile::~InputFile()
+{
+    unmap();
+}
+
+void InputFile::unmap()
 {
     if (mapping_)
         munmap(mapping_, bytes_.size());
+    mapping_ = nullptr;
 }
 
 } // namespace morph

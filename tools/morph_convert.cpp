@@ -164,7 +164,7 @@ nlohmann::ordered_json convert_file(const std::string& in, const std::string& ou
     for (const std::string& warning : warnings)
         warn(kTool, warning);
     warnings.insert(warnings.begin(), notes.warnings.begin(), notes.warnings.end());
-    nlohmann::ordered_json json = file_info(in, find_format(without_gz(in), options.from), mesh, notes);
+    nlohmann::ordered_json json = file_info(in, find_format(in, options.from), mesh, notes);
     json["output"] = out;
     json["output_format"] = format.name;
     json["warnings"] = warnings;
@@ -242,7 +242,7 @@ int tell(const Options& options, Report& report)
     for (const std::string& path : options.files) {
         ReadNotes notes;
         const MeshData mesh = read_input(path, options, notes);
-        const auto info = file_info(path, find_format(without_gz(path), options.from), mesh, notes);
+        const auto info = file_info(path, find_format(path, options.from), mesh, notes);
         for (const std::string& line : info_lines(info))
             report.say(line);
         report.json["files"].push_back(info);

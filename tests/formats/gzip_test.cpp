@@ -73,6 +73,14 @@ TEST(Gzip, APackedMeshIsReadAsItIs)
     EXPECT_EQ(test::difference(read_mesh_data(packed), read_mesh_data(plain)), "");
 }
 
+TEST(Gzip, IsReadButNotWritten)
+{
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(message_of([&] { write_mesh_data(test::uneven_square(1), folder.file("a.su2.gz")); }),
+              folder.file("a.su2.gz") + ": gzip files are read, but not written; leave out the .gz");
+    EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Gzip, TheEndingIsTakenOffInWhateverCase)
 {
     EXPECT_EQ(without_gz("a/wing.su2.gz"), "a/wing.su2");
