@@ -4,6 +4,7 @@
 #include "formats/stl_files.h"
 #include "formats/surface.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 
 #include <Eigen/Geometry>
 
@@ -152,9 +153,13 @@ bool is_order_kept(const MeshData& mesh)
 
 std::vector<std::string> group_losses(const MeshData& mesh, bool binary)
 {
-    if (binary && !mesh.groups.empty())
-        return {std::to_string(mesh.groups.size()) +
-                " group(s) of elements in its binary form; write it as text"};
+    if (binary && !mesh.groups.empty()) {
+        std::vector<std::string> names;
+        for (const ElementGroup& group : mesh.groups)
+            names.push_back(group.name);
+        return {std::to_string(names.size()) + " group(s) of elements " + joined(names) +
+                " in its binary form; write it as text"};
+    }
     std::vector<std::string> lost = overlap_losses(mesh);
     for (const ElementGroup& group : mesh.groups) {
         if (group.name.empty())

@@ -80,7 +80,8 @@ TEST(Stl, SaysWhichGroupsAreLost)
                     HasSubstr("stl cannot hold a group without a name"),
                     HasSubstr("stl cannot hold the group 'c', which has no elements")));
     EXPECT_THAT(write_mesh_data(mesh, folder.file("a.stl")),
-                testing::Contains(HasSubstr("4 group(s) of elements in its binary form; write it as text")));
+                testing::Contains(
+                    HasSubstr("4 group(s) of elements a, b, , c in its binary form; write it as text")));
 }
 
 TEST(Stl, JoinsNothingButEqualCornersHoweverManyThereAre)
