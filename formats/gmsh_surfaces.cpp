@@ -1,0 +1,43 @@
+#include "formats/gmsh_surfaces.h"
+
+#include <map>
+
+namespace morph {
+
+GmshSurfaces gmsh_surfaces(const MeshData& mesh)
+{
+    // Sets of groups as chains, so that they take no memory for each element: 0 is the empty set.
+    struct Link {
+        Index rest;
+        Index group;
+    };
+    std::vector<Link> links{{0, -1}};
+    std::map<std::pair<Index, Index>, Index> known;
+    std::vector<Index> set_of(mesh.elements.size(), 0);
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g)
+        for (const Index element : mesh.groups[g].elements) {
+            Index& set = set_of[static_cast<std::size_t>(element)];
+            const auto [entry, is_new] =
+                known.try_emplace({set, static_cast<Index>(g)}, static_cast<Index>(links.size()));
+            if (is_new)
+                links.push_back({set, static_cast<Index>(g)});
+            set = entry->second;
+        }
+
+    GmshSurfaces surfaces;
+    std::vector<Index> surface_of(links.size(), -1);
+    for (Index& set : set_of) {
+        Index& surface = surface_of[static_cast<std::size_t>(set)];
+        if (surface < 0) {
+            surface = static_cast<Index>(surfaces.groups.size());
+            std::vector<Index>& groups = surfaces.groups.emplace_back();
+            for (Index link = set; link != 0; link = links[static_cast<std::size_t>(link)].rest)
+                groups.insert(groups.begin(), links[static_cast<std::size_t>(link)].group);
+        }
+        set = surface;
+    }
+    surfaces.of_element = std::move(set_of);
+    return surfaces;
+}
+
+} // namespace morph
