@@ -1,5 +1,6 @@
 #include "formats/tecplot_header.h"
 
+#include "formats/message_text.h"
 #include "formats/tecplot_text.h"
 
 #include <algorithm>
@@ -98,8 +99,8 @@ private:
         const auto* const found =
             std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& type) { return type.first == name; });
         if (found == kTypes.end())
-            fail("zones of the type '" + value_ +
-                 "' are not supported; supported are ORDERED, FELINESEG, FETRIANGLE, FEQUADRILATERAL, "
+            fail("zones of the type " + quoted_text(value_) +
+                 " are not supported; supported are ORDERED, FELINESEG, FETRIANGLE, FEQUADRILATERAL, "
                  "FETETRAHEDRON and FEBRICK");
         zone_.cells = found->second;
     }
@@ -108,14 +109,15 @@ private:
     {
         TextScanner time(in_.path(), value_);
         if (!time.try_real(zone_.time))
-            fail("SOLUTIONTIME must be a number, found '" + value_ + "'");
+            fail("SOLUTIONTIME must be a number, found " + quoted_text(value_));
     }
 
     void set_packing()
     {
         const std::string name = upper(value_);
         if (name != "POINT" && name != "BLOCK" && name != "FEPOINT" && name != "FEBLOCK")
-            fail("data are packed as '" + value_ + "', but POINT or BLOCK (FEPOINT, FEBLOCK) was expected");
+            fail("data are packed as " + quoted_text(value_) +
+                 ", but POINT or BLOCK (FEPOINT, FEBLOCK) was expected");
         packed_ = true;
         zone_.block = name.ends_with("BLOCK");
     }
@@ -197,7 +199,7 @@ private:
             if (close + 1 < value_.size() && value_[close + 1] == '=') {
                 TextScanner zone(in_.path(), std::string_view(value_).substr(close + 2));
                 if (!zone.try_index(number))
-                    fail("VARSHARELIST must be like ([1-3]=1), found '" + value_ + "'");
+                    fail("VARSHARELIST must be like ([1-3]=1), found " + quoted_text(value_));
             }
             for (const Index v : variables(value_.substr(at, close - at), "VARSHARELIST"))
                 zone_.variables[static_cast<std::size_t>(v - 1)].shared_with = earlier_zone(number);
@@ -236,7 +238,7 @@ private:
         TextScanner number(in_.path(), value_);
         Index value = 0;
         if (!number.try_index(value) || !number.at_line_end())
-            fail(key + " must be a whole number, found '" + value_ + "'");
+            fail(key + " must be a whole number, found " + quoted_text(value_));
         return value;
     }
 

@@ -1,5 +1,6 @@
 #include "formats/tecplot_mesh.h"
 
+#include "formats/message_text.h"
 #include "formats/surface.h"
 #include "formats/tecplot_nodes.h"
 #include "formats/tecplot_variables.h"
@@ -46,7 +47,7 @@ private:
     std::string called(std::size_t z) const
     {
         const std::string& name = file_.zones[z].name;
-        return std::to_string(z + 1) + (name.empty() ? "" : " '" + name.substr(0, 40) + "'");
+        return std::to_string(z + 1) + (name.empty() ? "" : " " + quoted_text(name));
     }
 
     void require_nodal_coordinates() const
@@ -54,8 +55,8 @@ private:
         for (std::size_t z = 0; z < file_.zones.size(); ++z)
             for (const std::size_t v : xyz_)
                 if (v < file_.variables.size() && file_.zones[z].variables[v].centred)
-                    throw InputError(input_.path + ": the coordinate '" + file_.variables[v].substr(0, 40) +
-                                     "' is at cells in zone " + called(z) + ", but must be at nodes");
+                    throw InputError(input_.path + ": the coordinate " + quoted_text(file_.variables[v]) +
+                                     " is at cells in zone " + called(z) + ", but must be at nodes");
     }
 
     void choose_zones()
@@ -104,8 +105,8 @@ private:
         std::string names;
         for (const std::size_t z : all)
             names += (names.empty() ? "" : ", ") + called(z);
-        throw InputError(input_.path + ": has no zone '" + input_.options.zone + "' of elements, but " +
-                         names);
+        throw InputError(input_.path + ": has no zone " + quoted_text(input_.options.zone) +
+                         " of elements, but " + names);
     }
 
     void number_nodes()
@@ -159,7 +160,7 @@ private:
         if (cell.front() == *(end - 1))
             --end;
         if (end - cell.begin() < 3)
-            fail_degenerate(z, e, static_cast<std::size_t>(end - cell.begin()));
+            fail_degenerate(z, e);
         return {cell[0], cell[1], cell[2], end - cell.begin() == 4 ? cell[3] : -1};
     }
 
@@ -177,16 +178,15 @@ private:
             return {VolumeShape::prism, {c[0], c[1], c[2], c[4], c[5], c[6]}};
         const std::set<Index> distinct(c.begin(), c.end());
         if (distinct.size() < 8)
-            fail_degenerate(z, e, distinct.size());
+            fail_degenerate(z, e);
         return {VolumeShape::hexahedron, c};
     }
 
-    [[noreturn]] void fail_degenerate(std::size_t z, std::size_t e, std::size_t corners) const
+    [[noreturn]] void fail_degenerate(std::size_t z, std::size_t e) const
     {
         TextScanner(input_.path, input_.bytes)
             .fail_at(file_.zones[z].position, "element " + std::to_string(e + 1) + " of zone " + called(z) +
-                                                  " has " + std::to_string(corners) +
-                                                  " different corners, which makes no cell of its zone");
+                                                  " repeats nodes so that no supported cell is left");
     }
 
     void add_markers()
@@ -225,8 +225,8 @@ private:
         for (ElementGroup& group : file_.groups) {
             for (const Index e : group.elements)
                 if (e >= elements)
-                    throw InputError(input_.path + ": group '" + group.name.substr(0, 40) +
-                                     "' names element " + std::to_string(e + 1) + ", but the mesh has " +
+                    throw InputError(input_.path + ": group " + quoted_text(group.name) + " names element " +
+                                     std::to_string(e + 1) + ", but the mesh has " +
                                      std::to_string(elements));
             volume_.mesh.groups.push_back(std::move(group));
         }

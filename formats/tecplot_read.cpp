@@ -1,5 +1,6 @@
 #include "formats/tecplot_read.h"
 
+#include "formats/message_text.h"
 #include "formats/tecplot_header.h"
 #include "formats/tecplot_text.h"
 #include "libmorph/core/error.h"
@@ -124,7 +125,7 @@ private:
             in_.fail_at(start, "VARIABLES= must name two variables or more before the first ZONE");
         TecplotZone zone = read_tecplot_zone_header(in_, file_, start, input_);
         name_ = "zone " + std::to_string(file_.zones.size() + 1) +
-                (zone.name.empty() ? "" : " '" + zone.name.substr(0, 40) + "'");
+                (zone.name.empty() ? "" : " " + quoted_text(zone.name));
         read_values(zone);
         if (zone.cells == TecplotCells::ordered)
             connect_ordered(zone);
@@ -197,7 +198,7 @@ private:
         }
         double value = 0;
         if (!skip_tecplot_white(in_) || !in_.try_real(value))
-            in_.fail_expected("a value of '" + file_.variables[variable].substr(0, 40) + "' in " + name_);
+            in_.fail_expected("a value of " + quoted_text(file_.variables[variable]) + " in " + name_);
         if (in_.position() < in_.text().size() && in_.text()[in_.position()] == '*')
             return repeated_value(value);
         return value;
@@ -223,8 +224,8 @@ private:
         else
             variable.values = file_.zones[static_cast<std::size_t>(variable.shared_with)].variables[v].values;
         if (variable.values->size() != static_cast<std::size_t>(count))
-            in_.fail_at(zone.position, name_ + " has " + std::to_string(count) + " values of '" +
-                                           file_.variables[v].substr(0, 40) + "', but zone " +
+            in_.fail_at(zone.position, name_ + " has " + std::to_string(count) + " values of " +
+                                           quoted_text(file_.variables[v]) + ", but zone " +
                                            std::to_string(variable.shared_with + 1) +
                                            ", whose values it shares, " +
                                            std::to_string(variable.values->size()));

@@ -1,5 +1,7 @@
 #include "formats/tecplot_text.h"
 
+#include "formats/message_text.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -141,8 +143,8 @@ std::vector<Index> tecplot_numbers(const TextScanner& in, std::size_t position, 
     const char* at = list.data();
     const char* const end = at + list.size();
     const auto fail = [&]() {
-        in.fail_at(position, what + " must be numbers from 1 to " + std::to_string(most) + ", found '" +
-                                 std::string(list.substr(0, 40)) + "'");
+        in.fail_at(position, what + " must be numbers from 1 to " + std::to_string(most) + ", found " +
+                                 quoted_text(list));
     };
     while (true) {
         at = std::find_if(at, end, [](char c) {

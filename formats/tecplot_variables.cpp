@@ -1,5 +1,6 @@
 #include "formats/tecplot_variables.h"
 
+#include "formats/message_text.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ public:
         const bool centred = file_.zones[zones_.front()].variables[variable].centred;
         for (const std::size_t z : zones_)
             if (file_.zones[z].variables[variable].centred != centred)
-                throw InputError(input_.path + ": '" + file_.variables[variable].substr(0, 40) + "' is at " +
+                throw InputError(input_.path + ": " + quoted_text(file_.variables[variable]) + " is at " +
                                  (centred ? "cells in zone " : "nodes in zone ") +
                                  std::to_string(zones_.front() + 1) + ", but not in zone " +
                                  std::to_string(z + 1));
