@@ -11,19 +11,23 @@ PACKAGES := \
 # What only the benchmarks compare with: NumPy, and VTK with some 150 packages that it brings along.
 BENCH_PACKAGES := libvtk9-dev python3-numpy
 
+# The programs that `make peers` lets read what we write.
+PEER_PACKAGES := gmsh python3-gmsh python3-meshio python3-vtk9
+
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
 ROOT := $(shell [ $$(id -u) -eq 0 ] || echo sudo)
 SOURCES = $(shell git ls-files '*.h' '*.cpp')
 
-.PHONY: help deps bench-deps build demo test sanitize bench lint install clean
+.PHONY: help deps bench-deps build demo test sanitize peers bench lint install clean
 
 help:
 	@echo 'make demo      set up, build, morph a real mesh, draw it before and after'
 	@echo 'make test      set up, build, run every test'
 	@echo 'make build     set up and build the tools into build/bin'
 	@echo 'make sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer, then the fuzzers'
+	@echo 'make peers     let Gmsh, meshio, VTK and others read what we write, and read what they write'
 	@echo 'make bench     run the benchmarks (tests/bench/README.md explains the table)'
 	@echo 'make lint      clang-format and clang-tidy'
 	@echo 'make install   install below PREFIX ($(PREFIX))'
@@ -63,6 +67,10 @@ sanitize: deps
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz -j $(JOBS)
 	@sh tests/fuzz/run.sh $(FUZZ_SECONDS)
+
+peers: build
+	$(call install_missing,$(PEER_PACKAGES))
+	@sh tests/peers/run.sh build/bin
 
 bench: bench-deps
 	@cmake --preset bench >/dev/null
