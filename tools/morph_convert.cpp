@@ -4,6 +4,7 @@
 #include "formats/gzip.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
+#include "tools/common/field_source.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/convert/edits.h"
@@ -22,6 +23,7 @@ struct Options {
     std::vector<std::string> files;
     std::string from, to;
     std::string into;
+    std::string fields;
     bool list = false;
     bool info = false;
     bool check = false;
@@ -46,6 +48,11 @@ void add_mode_options(CommandLine& line, Options& options)
                    "Convert every IN to a file of the same name in this folder, in the format --to;\n"
                    "one that fails does not stop the others, and the exit status is then 1")
         ->type_name("DIR");
+    app.add_option(
+           "--fields", options.fields,
+           "Take fields from a file of their own beside the mesh: an SU2 restart or other CSV file, or\n"
+           "a mesh file of the same mesh")
+        ->type_name("FILE");
     app.add_flag("--list", options.list, "List the formats and what each can hold");
     app.add_flag("--info", options.info, "Say what the files hold");
     app.add_flag("--check", options.check,
@@ -135,6 +142,8 @@ MeshData read_input(const std::string& path, const Options& options, ReadNotes& 
     MeshData mesh = read_mesh_data(path, options.from, options.read, &notes);
     for (const std::string& warning : notes.warnings)
         warn(kTool, warning);
+    if (!options.fields.empty())
+        take_fields_from(options.fields, mesh);
     if (options.check)
         return to_data(build_mesh_of(std::move(mesh), path));
     return mesh;

@@ -1,6 +1,5 @@
 // morph-remap: carry fields from one mesh to another.
 //   morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv
-#include "formats/field_file.h"
 #include "formats/formats.h"
 #include "formats/input_file.h"
 #include "formats/tuc_files.h"
@@ -9,6 +8,7 @@
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remap/remap.h"
 #include "tools/common/command_line.h"
+#include "tools/common/field_source.h"
 #include "tools/common/run.h"
 #include "tools/remap/remap_report.h"
 
@@ -99,13 +99,9 @@ Mesh load_source(Options& options)
 {
     MeshData data = read_mesh_data(options.source, options.from);
     if (!options.source_fields.empty()) {
-        FieldFile file = read_fields(options.source_fields, data);
-        if (file.su2_restart && options.to.empty() && find_format(options.output, "").name == "csv")
+        const bool su2_restart = take_fields_from(options.source_fields, data);
+        if (su2_restart && options.to.empty() && find_format(options.output, "").name == "csv")
             options.to = "su2_restart";
-        for (Field& field : file.fields) {
-            std::erase_if(data.fields, [&](const Field& own) { return own.name == field.name; });
-            data.fields.push_back(std::move(field));
-        }
     }
     Mesh source = build_mesh_of(std::move(data), options.source);
     if (!options.source_neighbors.empty()) {

@@ -124,6 +124,21 @@ TEST_F(MorphConvert, DropsFieldsByNameOrAll)
     EXPECT_THAT(missing.errors, HasSubstr("in.vtu: has no field 'q' to drop, but p, T"));
 }
 
+TEST_F(MorphConvert, TakesFieldsFromARestartFileBesideTheMesh)
+{
+    const std::string mesh = folder_.file("mesh.su2");
+    const std::string restart = folder_.file("restart.csv");
+    MeshData bare = mesh_;
+    bare.fields.clear();
+    write_mesh_data(bare, mesh);
+    ASSERT_EQ(convert({in_, restart, "--to", "su2_restart", "--drop-fields", "T"}).status, 0);
+    const std::string out = folder_.file("out.vtu");
+    ASSERT_EQ(convert({mesh, out, "--fields", restart}).status, 0);
+    MeshData expected = mesh_;
+    expected.fields.pop_back();
+    EXPECT_EQ(difference(read_mesh_data(out), expected), "");
+}
+
 TEST_F(MorphConvert, MergesVerticesWithinTheTolerance)
 {
     MeshData mesh = mesh_;
