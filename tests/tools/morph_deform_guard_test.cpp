@@ -200,6 +200,25 @@ TEST_F(MovedSide, CarriesRigidLayersWithTheirWall)
     EXPECT_GT(compared, 20);
 }
 
+TEST_F(MovedSide, MovesAMarkerAsOneRigidBodyWhereItIsNamedAlone)
+{
+    const std::string bulge = "[mesh]\nfile = \"square.su2\"\n[[boundary]]\nname = \"top\"\ndegree = 2\n"
+                              "control_points = [[1, 1], [0.5, 1], [0, 1]]\n"
+                              "displacements = [[0, 0], [0, 0.3], [0, 0]]\n[deform]\n"
+                              "fixed = [\"bottom\"]\nrigid = [\"top\"]\n";
+    ASSERT_EQ(deform(bulge).status, 0);
+    const Points after = read_mesh_data(folder_.file("moved.su2")).points;
+    // The displacement is symmetric about x = 0.5, so that its best rigid motion is a shift, by its mean.
+    const Index first = find_marker(square_.markers, "top")->edges[0][0];
+    const double shift = after(first, 1) - 1;
+    EXPECT_NEAR(shift, 0.09, 1e-12); // mean of 0.3 * 2 u (1 - u) at u = 0, 0.1, ..., 1
+    for (const auto& edge : find_marker(square_.markers, "top")->edges)
+        for (const Index v : edge) {
+            EXPECT_NEAR(after(v, 0), square_.points(v, 0), 1e-12);
+            EXPECT_NEAR(after(v, 1), 1 + shift, 1e-12);
+        }
+}
+
 TEST_F(MovedSide, SaysWhatIsWrong)
 {
     EXPECT_THAT(refusal("steps = 0\n"), HasSubstr("steps must be a whole number from 1"));
@@ -208,6 +227,9 @@ TEST_F(MovedSide, SaysWhatIsWrong)
     EXPECT_THAT(refusal("rigid = [{ distance = 1 }]\n"), HasSubstr("needs marker"));
     EXPECT_THAT(refusal("rigid = [{ marker = \"top\" }]\n"), HasSubstr("needs distance"));
     EXPECT_THAT(refusal("rigid = [{ marker = \"top\", distance = -1 }]\n"), HasSubstr("must be above 0"));
+    EXPECT_THAT(refusal("rigid = [3]\n"),
+                HasSubstr("must be a list of texts in quotes and tables in braces"));
+    EXPECT_THAT(refusal("fixed = [\"bottom\"]\nrigid = [\"tpo\"]\n"), HasSubstr("tpo"));
     EXPECT_THAT(refusal("guard = \"untangel\"\n"), HasSubstr("did you mean 'untangle'?"));
     EXPECT_THAT(refusal("fixed = [\"bottom\"]\nslide = [\"lefd\"]\n"), HasSubstr("lefd"));
     EXPECT_THAT(refusal("method = \"ffd\"\nrotations = true\n[lattice]\npoints = [4, 4]\n"

@@ -69,7 +69,10 @@ DeformEntry deform_entry(const TomlTable& table)
     entry.rotations = table.boolean("rotations");
     entry.steps = steps_of(table);
     entry.slide = table.strings("slide").value_or(std::vector<std::string>());
-    for (const TomlTable& item : table.tables("rigid"))
+    const TomlTable::TextsAndTables rigid = table.texts_and_tables("rigid");
+    for (const std::string& marker : rigid.texts)
+        entry.rigid.push_back({table.line("rigid"), marker, 0});
+    for (const TomlTable& item : rigid.tables)
         entry.rigid.push_back(rigid_entry(item));
     entry.options = method_options(table);
     return entry;

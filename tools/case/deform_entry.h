@@ -8,11 +8,11 @@
 
 namespace morph::tools {
 
-/// Cells beside a marker that move with it.
+/// A marker that moves as one rigid body, or the cells beside it that move with it.
 struct RigidEntry {
     int line = 0;
     std::string marker;
-    double distance = 0; ///< length unit of the mesh
+    double distance = 0; ///< of the cells, length unit of the mesh; 0: the marker itself
 };
 
 /// [deform]: how the boundary takes the mesh along.

@@ -229,6 +229,23 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const
     return entries;
 }
 
+TomlTable::TextsAndTables TomlTable::texts_and_tables(const std::string& key) const
+{
+    TextsAndTables entries;
+    if (!has(key))
+        return entries;
+    const std::string expected = "a list of texts in quotes and tables in braces";
+    for (const toml::node& item : array(key, expected)) {
+        if (item.is_table())
+            entries.tables.emplace_back(*item.as_table(), path_, label(key));
+        else if (item.is_string())
+            entries.texts.push_back(item.as_string()->get());
+        else
+            fail(line_of(item), label(key) + " must be " + expected);
+    }
+    return entries;
+}
+
 std::string beside(const std::string& file, const std::string& path)
 {
     return (std::filesystem::path(file).parent_path() / path).string();

@@ -49,6 +49,12 @@ public:
     std::optional<TomlTable> table(const std::string& key, const std::string& name) const;
     /// [[key]] entries, none when the key is missing.
     std::vector<TomlTable> tables(const std::string& key) const;
+    struct TextsAndTables {
+        std::vector<std::string> texts;
+        std::vector<TomlTable> tables;
+    };
+    /// The entries of a list of texts and tables, none when the key is missing.
+    TextsAndTables texts_and_tables(const std::string& key) const;
 
     /// @throws InputError  "file:line: what"
     [[noreturn]] void fail(int line, const std::string& what) const;

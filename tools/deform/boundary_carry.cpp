@@ -4,6 +4,7 @@
 #include "libmorph/deform/move_in_steps.h"
 #include "libmorph/deform/rigid_frames.h"
 #include "libmorph/deform/rigid_layers.h"
+#include "libmorph/deform/rigid_markers.h"
 #include "libmorph/deform/slide.h"
 #include "tools/deform/spread_methods.h"
 
@@ -60,8 +61,12 @@ BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file)
     BoundaryCarry carry{held_boundary(placed.conditions), placed.conditions.held.values,
                         plain_move(file.deform), file.deform.steps};
     std::vector<RigidLayer> layers;
-    for (const RigidEntry& entry : file.deform.rigid)
-        layers.push_back({entry.marker, entry.distance});
+    for (const RigidEntry& entry : file.deform.rigid) {
+        if (entry.distance > 0)
+            layers.push_back({entry.marker, entry.distance});
+        else
+            carry.rigid_markers.push_back(entry.marker);
+    }
     if (!layers.empty())
         carry.move = with_rigid_layers(carry.move, layers);
     if (!file.deform.slide.empty())
@@ -73,7 +78,9 @@ int carry_boundary(const Mesh& mesh, const BoundaryCarry& carry, const Matrix& d
                    Eigen::Map<Points> positions)
 {
     Mesh moving = mesh;
-    const int steps = move_in_steps(moving, carry.held, carry.rows * displacements, carry.move, carry.steps);
+    const Matrix moved =
+        with_rigid_markers(mesh, carry.held, carry.rows * displacements, carry.rigid_markers);
+    const int steps = move_in_steps(moving, carry.held, moved, carry.move, carry.steps);
     positions = points(moving);
     return steps;
 }

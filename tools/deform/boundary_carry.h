@@ -12,6 +12,7 @@ struct BoundaryCarry {
     Matrix rows; ///< k x K: how the held vertices follow the control points
     BoundaryMove move;
     int steps = 1;
+    std::vector<std::string> rigid_markers = {}; ///< these move as one rigid body each
 };
 
 /// Whether a case asks for what weights cannot do: rotations, steps, sliding markers, rigid layers, a method
