@@ -1,8 +1,8 @@
 // Legacy VTK files. Written as an unstructured grid of version 3.0, which every VTK reads.
 #include "formats/vtk.h"
 
-#include "formats/vtk_cells.h"
 #include "formats/vtk_legacy.h"
+#include "formats/vtk_output.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,7 @@ namespace {
 class VtkWriter {
 public:
     VtkWriter(const MeshData& mesh, bool binary, OutputFile& file)
-        : mesh_(mesh), output_(vtk_output(mesh)), binary_(binary), file_(file)
+        : mesh_(mesh), output_(vtk_output(mesh, VtkOrder::elements_first)), binary_(binary), file_(file)
     {
     }
 
@@ -24,7 +24,7 @@ public:
         line("mesh");
         line(binary_ ? "BINARY" : "ASCII");
         line("DATASET UNSTRUCTURED_GRID");
-        marker_names();
+        names();
         line("POINTS " + std::to_string(output_.points.rows) + " double");
         numbers(output_.points);
         cells();
@@ -35,20 +35,21 @@ public:
 private:
     void line(const std::string& text) { file_.append(text + "\n"); }
 
-    void marker_names()
+    void names()
     {
-        if (output_.marker_array.empty())
+        if (output_.names.empty())
             return;
-        line("FIELD FieldData 1");
-        line(marker_names_array(output_.marker_array) + " 1 " + std::to_string(mesh_.markers.size()) +
-             " string");
-        for (const Marker& marker : mesh_.markers)
+        line("FIELD FieldData " + std::to_string(output_.names.size()));
+        for (const VtkNames& named : output_.names) {
+            line(names_array(named.array) + " 1 " + std::to_string(named.names.size()) + " string");
+            for (const std::string& name : named.names)
+                if (binary_)
+                    file_.append(with_length(name));
+                else
+                    line(percent_encoded(name));
             if (binary_)
-                file_.append(with_length(marker.name));
-            else
-                line(percent_encoded(marker.name));
-        if (binary_)
-            line("");
+                line("");
+        }
     }
 
     /// The length as a number of 8 bytes of which the two highest bits are 0, and the text.
@@ -82,10 +83,14 @@ private:
         line("FIELD FieldData " + std::to_string(arrays.size()));
         for (const VtkArray& array : arrays) {
             line((array.name.empty() ? "unnamed" : percent_encoded(array.name)) + " " +
-                 std::to_string(array.components) + " " + std::to_string(rows) +
-                 (array.type == NumberType::int32 ? " int" : " double"));
+                 std::to_string(array.components) + " " + std::to_string(rows) + legacy_name(array.type));
             numbers(array);
         }
+    }
+
+    static const char* legacy_name(NumberType type)
+    {
+        return type == NumberType::int32 ? " int" : type == NumberType::uint8 ? " unsigned_char" : " double";
     }
 
     void numbers(const VtkArray& array)
@@ -134,7 +139,13 @@ extern const Format vtk_format;
 const Format vtk_format{"vtk",
                         {".vtk"},
                         "legacy VTK unstructured grid",
-                        {.surface = true, .markers = true, .vertex_fields = true, .element_fields = true},
+                        {.surface = true,
+                         .markers = true,
+                         .groups = true,
+                         .vertex_fields = true,
+                         .element_fields = true,
+                         .binary = true,
+                         .volume = true},
                         read_vtk,
                         write_vtk};
 

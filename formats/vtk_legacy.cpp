@@ -57,6 +57,8 @@ std::string LegacyVtkScanner::header()
     if (!text_.rest().starts_with(mark))
         text_.fail("expected '" + std::string(mark) + "x.y', found " + text_.found());
     text_.seek(mark.size());
+    version_ = text_.word("a version such as 3.0");
+    text_.seek(mark.size());
     const double version = text_.real("a version such as 3.0");
     if (!(version >= 1 && version < 6))
         text_.fail("this is version " + std::to_string(version) +

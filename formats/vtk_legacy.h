@@ -45,6 +45,7 @@ public:
     std::vector<std::string> strings(std::size_t count);
 
     int major_version() const { return major_version_; }
+    const std::string& version() const { return version_; } ///< as the file has it
     bool binary() const { return binary_; }
     [[noreturn]] void fail(const std::string& what) const { text_.fail_at(before_keyword_, what); }
     /// @throws InputError  "expected @p what, found" the word that keyword() returned last
@@ -58,6 +59,7 @@ private:
     std::size_t before_keyword_ = 0;
     bool binary_ = false;
     int major_version_ = 0;
+    std::string version_;
     std::vector<double> numbers_; ///< read from ASCII
 };
 

@@ -26,11 +26,12 @@ constexpr std::array<PolyList, 4> kPolyLists{
 
 class VtkReader {
 public:
-    explicit VtkReader(const InputBytes& file) : path_(file.path), in_(file.path, file.bytes) {}
+    explicit VtkReader(const InputBytes& file) : file_(file), in_(file.path, file.bytes) {}
 
     MeshData read()
     {
         const std::string kind = in_.header();
+        file_.set_version(in_.version() + (in_.binary() ? ", binary" : ", ascii"));
         if (kind != "UNSTRUCTURED_GRID" && kind != "POLYDATA")
             in_.fail("only data sets of the kinds UNSTRUCTURED_GRID and POLYDATA are supported");
         for (std::string word = in_.keyword(); !word.empty(); word = in_.keyword())
@@ -42,7 +43,7 @@ public:
         if (rows_[1] > 0 && rows_[1] != grid_.types.size())
             in_.fail("CELL_DATA is for " + std::to_string(rows_[1]) + " cells, but the mesh has " +
                      std::to_string(grid_.types.size()));
-        return mesh_from_vtk(std::move(grid_), path_);
+        return mesh_from_vtk(std::move(grid_), file_);
     }
 
 private:
@@ -241,10 +242,8 @@ private:
 
     void use_strings(const std::string& name, std::vector<std::string> strings)
     {
-        if (in_data_ || marker_array_of(name).empty())
-            return;
-        grid_.marker_array = marker_array_of(name);
-        grid_.marker_names = std::move(strings);
+        if (!in_data_)
+            use_names(grid_, name, std::move(strings));
     }
 
     void read_field(const std::string& name, const std::string& type, std::size_t columns)
@@ -262,7 +261,7 @@ private:
         copy_numbers(numbers, field.values.data());
     }
 
-    std::string path_;
+    const InputBytes& file_;
     LegacyVtkScanner in_;
     VtkGrid grid_;
     std::array<CellList, 4> poly_lists_;

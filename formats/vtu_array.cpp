@@ -45,7 +45,8 @@ VtuArrays::VtuArrays(const InputBytes& file, const XmlDocument& document) : file
     const std::string compressor = value_of(root, "compressor", "");
     compressor_ = find_compressor(compressor);
     if (!compressor.empty() && !compressor_)
-        fail(root, "compressor '" + compressor + "' is not supported; vtkZLibDataCompressor and none are");
+        fail(root, "compressor '" + compressor +
+                       "' is not supported; vtkZLibDataCompressor, vtkLZ4DataCompressor and none are");
 
     const XmlElement* appended = root.child("AppendedData");
     if (!appended)
@@ -60,6 +61,18 @@ VtuArrays::VtuArrays(const InputBytes& file, const XmlDocument& document) : file
     appended_ = document.appended.substr(mark + 1);
     if (appended_base64_)
         appended_ = appended_.substr(0, appended_.find('<'));
+}
+
+std::string VtuArrays::coding(const XmlElement& array) const
+{
+    const std::string format = value_of(array, "format", "ascii");
+    if (format == "ascii")
+        return format;
+    const std::string compressed = compressor_ ? ", " + std::string(compressor_->name) : "";
+    return (format == "binary" ? "inline base64"
+            : appended_base64_ ? "appended base64"
+                               : "appended raw") +
+           compressed;
 }
 
 void VtuArrays::fail(const XmlElement& element, const std::string& what) const

@@ -29,6 +29,9 @@ public:
     /// The strings of an array of type String, each ended by a zero.
     std::vector<std::string> strings(const XmlElement& array);
 
+    /// How the array is written: "ascii", "inline base64, zlib", "appended raw", …
+    std::string coding(const XmlElement& array) const;
+
     [[noreturn]] void fail(const XmlElement& element, const std::string& what) const;
 
 private:

@@ -127,7 +127,9 @@ TEST(Vtk, RefusesWhatDoesNotFitTogether)
     EXPECT_THAT(message("3 1 4 2\n", "3 1 5 2\n"), HasSubstr("cell 2 names point 5, but the mesh has 5"));
     EXPECT_THAT(message("3 1 4 2\n", "3 1 -1 2\n"), HasSubstr("cell 2 names point that is no index"));
     EXPECT_THAT(message("CELL_TYPES 4\n3 9", "CELL_TYPES 4\n3 10"),
-                HasSubstr("cell 1 is a tetrahedron (type 10)"));
+                HasSubstr("file: holds a volume mesh of 1 cells; --surface takes its boundary"));
+    EXPECT_THAT(message("CELL_TYPES 4\n3 9", "CELL_TYPES 4\n3 24"),
+                HasSubstr("cell 1 is a quadratic tetrahedron (type 24)"));
     EXPECT_THAT(message("CELL_TYPES 4\n3 9 5 4", "CELL_TYPES 3\n3 9 5"),
                 HasSubstr("CELL_DATA is for 4 cells, but the mesh has 3"));
     EXPECT_THAT(message("5e-1", "inf"), HasSubstr("point 4 has a coordinate that is not finite"));
