@@ -139,10 +139,10 @@ std::size_t picked_part(const std::vector<std::string>& names, const std::string
     if (zone.empty())
         return names.size();
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == zone)
+        if (std::to_string(i + 1) == zone)
             return i;
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (std::to_string(i + 1) == zone)
+        if (names[i] == zone)
             return i;
     throw InputError(file.path + ": there is no " + what + " '" + zone + "'; there are " + joined(names));
 }

@@ -14,7 +14,7 @@ struct MeshPart {
     MeshData mesh;
 };
 
-/// Which of @p names the option `zone` picks, by name or number from 1; their count when it is empty.
+/// Which of @p names the option `zone` picks, by number from 1 or else by name; their count when it is empty.
 /// @param what  one of them, for the message: "piece"
 /// @throws InputError  none of them is called so
 std::size_t picked_part(const std::vector<std::string>& names, const std::string& what,

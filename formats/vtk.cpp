@@ -138,7 +138,7 @@ void write_vtk(const MeshData& mesh, const WriteOptions& options, OutputFile& fi
 extern const Format vtk_format;
 const Format vtk_format{"vtk",
                         {".vtk"},
-                        "legacy VTK unstructured grid",
+                        "legacy VTK",
                         {.surface = true,
                          .markers = true,
                          .groups = true,

@@ -4,8 +4,8 @@
 
 namespace morph {
 
-/// Read an unstructured grid or polygons from a legacy VTK file; see VtkGrid for what becomes of cells
-/// and markers.
+/// Read an unstructured, structured or rectilinear grid or polygons from a legacy VTK file; see VtkGrid for
+/// what becomes of cells and markers.
 /// @throws InputError  "path:line: …"
 MeshData read_vtk(const InputBytes& file);
 

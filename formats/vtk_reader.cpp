@@ -1,8 +1,10 @@
 #include "formats/vtk.h"
 #include "formats/vtk_cells.h"
 #include "formats/vtk_legacy.h"
+#include "formats/vtk_structured.h"
 #include "libmorph/core/error.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -32,11 +34,15 @@ public:
     {
         const std::string kind = in_.header();
         file_.set_version(in_.version() + (in_.binary() ? ", binary" : ", ascii"));
-        if (kind != "UNSTRUCTURED_GRID" && kind != "POLYDATA")
-            in_.fail("only data sets of the kinds UNSTRUCTURED_GRID and POLYDATA are supported");
+        if (kind != "UNSTRUCTURED_GRID" && kind != "POLYDATA" && kind != "STRUCTURED_GRID" &&
+            kind != "RECTILINEAR_GRID")
+            in_.fail("only data sets of the kinds UNSTRUCTURED_GRID, POLYDATA, STRUCTURED_GRID and "
+                     "RECTILINEAR_GRID are supported");
         for (std::string word = in_.keyword(); !word.empty(); word = in_.keyword())
             block(word);
         join_poly_lists();
+        if (kind == "STRUCTURED_GRID" || kind == "RECTILINEAR_GRID")
+            finish_structured(kind == "RECTILINEAR_GRID");
         if (rows_[0] > 0 && rows_[0] != static_cast<std::size_t>(grid_.points.rows()))
             in_.fail("POINT_DATA is for " + std::to_string(rows_[0]) + " points, but the mesh has " +
                      std::to_string(grid_.points.rows()));
@@ -61,7 +67,10 @@ private:
             begin_data(FieldLocation::vertex);
         else if (word == "CELL_DATA")
             begin_data(FieldLocation::element);
-        else if (!poly_list(word) && !attribute(word))
+        else if (word == "DIMENSIONS")
+            for (std::size_t& along_axis : grid_size_)
+                along_axis = in_.count("the number of points along an axis");
+        else if (!poly_list(word) && !axis(word) && !attribute(word))
             in_.fail_expected("a keyword of a legacy VTK file (is a count above it wrong?)");
     }
 
@@ -156,6 +165,40 @@ private:
             grid_.corners.insert(grid_.corners.end(), poly_lists_[i].corners.begin(),
                                  poly_lists_[i].corners.end());
         }
+    }
+
+    /// Coordinates along one axis of a rectilinear grid.
+    bool axis(const std::string& word)
+    {
+        constexpr std::array<std::string_view, 3> keywords{"X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES"};
+        const auto found = std::find(keywords.begin(), keywords.end(), word);
+        if (found == keywords.end())
+            return false;
+        const std::size_t count = in_.count("the number of coordinates");
+        const NumberArray numbers = in_.numbers(in_.type_word(), count);
+        std::vector<double>& axis = axes_.at(static_cast<std::size_t>(found - keywords.begin()));
+        axis.resize(count);
+        copy_numbers(numbers, axis.data());
+        return true;
+    }
+
+    void finish_structured(bool rectilinear)
+    {
+        if (rectilinear && grid_size_ != GridSize{axes_[0].size(), axes_[1].size(), axes_[2].size()})
+            in_.fail("the axes have " + size_text({axes_[0].size(), axes_[1].size(), axes_[2].size()}) +
+                     " coordinates, but DIMENSIONS are " + size_text(grid_size_));
+        const std::size_t points = point_count(grid_size_, file_.path);
+        if (rectilinear)
+            grid_.points = rectilinear_points(axes_);
+        if (points != static_cast<std::size_t>(grid_.points.rows()))
+            in_.fail("DIMENSIONS are " + size_text(grid_size_) + ", but there are " +
+                     std::to_string(grid_.points.rows()) + " points");
+        add_structured_cells(grid_, grid_size_);
+    }
+
+    static std::string size_text(const GridSize& size)
+    {
+        return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
     }
 
     void begin_data(FieldLocation location)
@@ -265,8 +308,10 @@ private:
     LegacyVtkScanner in_;
     VtkGrid grid_;
     std::array<CellList, 4> poly_lists_;
-    std::array<std::size_t, 2> rows_{}; ///< of the fields of points and cells, as the file says
-    bool in_data_ = false;              ///< behind POINT_DATA or CELL_DATA
+    GridSize grid_size_{};                    ///< of a structured or rectilinear grid
+    std::array<std::vector<double>, 3> axes_; ///< of a rectilinear grid
+    std::array<std::size_t, 2> rows_{};       ///< of the fields of points and cells, as the file says
+    bool in_data_ = false;                    ///< behind POINT_DATA or CELL_DATA
     FieldLocation location_ = FieldLocation::vertex;
     std::size_t row_count_ = 0;
 };

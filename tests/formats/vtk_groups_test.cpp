@@ -186,6 +186,72 @@ TEST(VtkFamily, StripsAreTrianglesOfOneSense)
     EXPECT_EQ(mesh.fields[0].values.col(0), Eigen::Vector3d(8, 8, 8));
 }
 
+const std::string kGrid = "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET RECTILINEAR_GRID\n"
+                          "DIMENSIONS 2 3 2\nX_COORDINATES 2 float\n0 1\nY_COORDINATES 3 float\n0 1\t2\r\n"
+                          "Z_COORDINATES 2 float\n0 1d0\n";
+
+TEST(VtkFamily, GridsInSpaceAreHexahedra)
+{
+    const MeshData mesh = boundary_of(kGrid);
+    EXPECT_EQ(mesh.elements.size(), 2U + 2 + 6);
+    EXPECT_NEAR(six_volumes(mesh) / 6, 2, 1e-14); // rounding
+}
+
+TEST(VtkFamily, RefusesGridsThatDoNotFit)
+{
+    EXPECT_THAT(refusal(replaced(kGrid, "2 3 2", "2 3 3"), "vtk"),
+                HasSubstr("the axes have 2 x 3 x 2 coordinates, but DIMENSIONS are 2 x 3 x 3"));
+    const std::string grid = "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET STRUCTURED_GRID\n"
+                             "DIMENSIONS 2 2 1\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n";
+    EXPECT_EQ(read_bytes(grid, "vtk").elements, (std::vector<Element>{{0, 1, 3, 2}}));
+    EXPECT_THAT(refusal(replaced(grid, "2 2 1", "2 3 1"), "vtk"),
+                HasSubstr("DIMENSIONS are 2 x 3 x 1, but there are 4 points"));
+    EXPECT_THAT(refusal(replaced(grid, "2 2 1", "99999 99999 99999"), "vtk"),
+                HasSubstr("file: a grid of 99999 x 99999 x 99999 points is larger than"));
+}
+
+/// A quad, a triangle and a line, with what XML allows: no Verts, lists in any order.
+const std::string kVtp =
+    "<VTKFile type='PolyData' version='0.1'><PolyData>\n"
+    "<Piece NumberOfPoints='5' NumberOfLines='1' NumberOfPolys='2'>\n"
+    "<Polys><DataArray type='Int32' Name='offsets'>4 7</DataArray>\n"
+    "<DataArray type='Int32' Name='connectivity'>0 1 2 3 1 4 2</DataArray></Polys>\n"
+    "<Points><DataArray type='Float32' NumberOfComponents='3'>0 0 0 1 0 0 1 1 0 0 1 0 2 .5 0</DataArray>"
+    "</Points>\n<Lines><DataArray type='Int32' Name='connectivity'>0 1 4</DataArray>\n"
+    "<DataArray type='Int32' Name='offsets'>3</DataArray></Lines>\n"
+    "<CellData><DataArray type='Int32' Name='n'>7 8 9</DataArray></CellData>\n"
+    "</Piece></PolyData></VTKFile>";
+
+TEST(VtkFamily, PolyDataMayLackLists)
+{
+    const MeshData mesh = read_bytes(kVtp, "vtp");
+    EXPECT_EQ(difference(read_bytes(written(mesh, "vtp"), "vtp"), mesh), "");
+    EXPECT_EQ(mesh.elements, (std::vector<Element>{{0, 1, 2, 3}, {1, 4, 2, -1}}));
+    ASSERT_EQ(mesh.markers.size(), 1U);
+    EXPECT_EQ(mesh.markers[0].edges, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 4}}));
+    EXPECT_EQ(mesh.fields[0].values.col(0), Eigen::Vector2d(8, 9));
+}
+
+TEST(VtkFamily, RefusesBrokenPolyData)
+{
+    const auto message = [](const std::string& from, const std::string& to) {
+        return refusal(replaced(kVtp, from, to), "vtp");
+    };
+    EXPECT_THAT(
+        message("'PolyData' version", "'ImageData' version"),
+        HasSubstr("file:1: expected <VTKFile type=\"PolyData\">, found <VTKFile type=\"ImageData\">"));
+    EXPECT_THAT(message("NumberOfPolys='2'", "NumberOfPolys='3'"),
+                HasSubstr("file:3: array 'offsets' should have 3 numbers, but its text"));
+    EXPECT_THAT(message("NumberOfPolys='2'", "NumberOfStrips='1' NumberOfPolys='2'"),
+                HasSubstr("file:2: <Piece> has no <Strips>"));
+    EXPECT_THAT(message("4 7", "4 8"),
+                HasSubstr("file:4: array 'connectivity' should have 8 numbers, but its text"));
+    EXPECT_THAT(message("4 7", "7 -1"),
+                HasSubstr("file:4: the last number of the array 'offsets' is negative"));
+    EXPECT_THAT(message("4 7", "5 7"), HasSubstr("file: cell 1 is a polygon of 5 corners"));
+    EXPECT_THAT(message("1 4 2<", "1 5 2<"), HasSubstr("file: cell 2 names point 5, but the mesh has 5"));
+}
+
 } // namespace
 
 } // namespace morph

@@ -132,6 +132,57 @@ TEST(VtkInterop, PolyDataIsASurface)
     EXPECT_LE((ascii.points.rowwise().norm().array() - 0.5).abs().maxCoeff(), digits);
 }
 
+TEST(VtkInterop, Lz4ReadsToTheSameBitsInEveryCoding)
+{
+    for (const char* name : {"inline_lz4", "raw_lz4", "base64_lz4_big_endian"}) {
+        const MeshData mesh = read_mesh_data(file(std::string(name) + ".vtu"));
+        EXPECT_EQ(mesh.points, grid_points()) << name;
+        EXPECT_EQ(mesh.elements, (std::vector<Element>{{0, 1, 5, 4}, {1, 2, 5, -1}})) << name;
+        ASSERT_EQ(mesh.fields.size(), 1U) << name;
+        for (Index i = 0; i < 12; ++i)
+            EXPECT_EQ(mesh.fields[0].values(i, 0), std::sqrt(i)) << name;
+    }
+}
+
+TEST(VtkInterop, PolyDataInXmlHasVertsLinesPolysAndStrips)
+{
+    for (const char* name : {"poly_ascii.vtp", "poly_inline_zlib.vtp", "poly_raw_lz4.vtp"}) {
+        const MeshData mesh = read_mesh_data(file(name));
+        EXPECT_EQ(mesh.points, grid_points()) << name;
+        EXPECT_EQ(
+            mesh.elements,
+            (std::vector<Element>{{0, 1, 5, 4}, {1, 2, 5, -1}, {2, 3, 6, -1}, {6, 3, 7, -1}, {6, 7, 10, -1}}))
+            << name;
+        ASSERT_EQ(mesh.markers.size(), 2U) << name;
+        EXPECT_EQ(mesh.markers[0].name, "4") << name;
+        EXPECT_EQ(mesh.markers[0].edges.size(), 3U) << name;
+        EXPECT_EQ(mesh.markers[1].edges, (std::vector<std::array<Index, 2>>{{3, 7}})) << name;
+        const Field* marker = find_field(mesh.fields, "marker", FieldLocation::element);
+        ASSERT_TRUE(marker) << name;
+        EXPECT_EQ(marker->values.col(0), (Eigen::VectorXd(5) << 1, 2, 3, 3, 3).finished()) << name;
+    }
+}
+
+TEST(VtkInterop, StructuredGridsAreQuads)
+{
+    constexpr double digits = 2e-6; // the ASCII file has 6 significant digits
+    for (const char* name : {"structured_ascii.vtk", "structured_binary.vtk"}) {
+        const MeshData mesh = read_mesh_data(file(name));
+        EXPECT_LE((mesh.points - grid_points()).cwiseAbs().maxCoeff(), digits) << name;
+        ASSERT_EQ(mesh.elements.size(), 6U) << name;
+        EXPECT_EQ(mesh.elements[0], (Element{0, 1, 5, 4})) << name;
+        EXPECT_EQ(mesh.elements[5], (Element{6, 7, 11, 10})) << name;
+        EXPECT_EQ(mesh.fields.size(), 1U) << name;
+    }
+}
+
+TEST(VtkInterop, RectilinearGridsAreQuadsAboutTheAxisOfOnePoint)
+{
+    const MeshData mesh = read_mesh_data(file("rectilinear_ascii.vtk"));
+    EXPECT_EQ(mesh.points.row(5), Eigen::RowVector3d(3, 5, 2));
+    EXPECT_EQ(mesh.elements, (std::vector<Element>{{0, 3, 4, 1}, {1, 4, 5, 2}}));
+}
+
 TEST(VtkInterop, MeshioFilesReadAlike)
 {
     constexpr double digits = 1e-11; // meshio writes ASCII with 11 decimals

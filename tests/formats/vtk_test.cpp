@@ -96,7 +96,7 @@ TEST(Vtk, RefusesBrokenHeadersWithTheLine)
     EXPECT_THAT(message("2.0", "9.0"), HasSubstr("but 1.0 to 5.1 are supported"));
     EXPECT_THAT(message("ASCII", "TEXT"), HasSubstr("file:3: expected ASCII or BINARY, found 'TEXT'"));
     EXPECT_THAT(message("UNSTRUCTURED_GRID", "STRUCTURED_POINTS"),
-                HasSubstr("file:4: only data sets of the kinds UNSTRUCTURED_GRID and POLYDATA"));
+                HasSubstr("file:4: only data sets of the kinds UNSTRUCTURED_GRID, POLYDATA"));
     EXPECT_THAT(
         message("points 5", "pints 5"),
         HasSubstr(
