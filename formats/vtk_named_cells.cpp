@@ -86,9 +86,10 @@ std::vector<Index> elements_of(const Field& numbers, double number, const std::v
 
 void use_names(VtkGrid& grid, const std::string& array, std::vector<std::string> names)
 {
-    for (const VtkNamed kind : {VtkNamed::marker, VtkNamed::group})
-        if (std::string numbered = numbered_array(array, kind); !numbered.empty())
-            (kind == VtkNamed::marker ? grid.markers : grid.groups) = {std::move(numbered), std::move(names)};
+    if (const std::string numbered = numbered_array(array, VtkNamed::marker); !numbered.empty())
+        grid.markers = {numbered, std::move(names)};
+    else if (const std::string groups = numbered_array(array, VtkNamed::group); !groups.empty())
+        grid.groups = {groups, std::move(names)};
 }
 
 std::vector<Marker> take_markers(VtkGrid& grid, const std::vector<std::size_t>& lines,
