@@ -3,7 +3,7 @@
 # Every Debian package the project builds, tests and measures with. One list, so that nothing is forgotten.
 PACKAGES := \
 	g++ cmake ninja-build pkg-config \
-	libeigen3-dev libopenmesh-dev libcgal-dev libflann-dev liblz4-dev libopenblas-pthread-dev \
+	libeigen3-dev libopenmesh-dev libcgal-dev libflann-dev liblz4-dev libopenblas-pthread-dev libcgns-dev \
 	libcli11-dev libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev libcairo2-dev \
 	libgtest-dev libgmock-dev libbenchmark-dev time \
 	clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
