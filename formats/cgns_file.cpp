@@ -26,6 +26,12 @@ std::string error_text(const std::string& opened, const std::string& path)
     return text.substr(0, 200);
 }
 
+/// "3.4", which is not a number of the computer.
+std::string version_text(float version)
+{
+    return exact_text(std::round(100.0 * double{version}) / 100);
+}
+
 } // namespace
 
 CgnsFile::CgnsFile(const InputBytes& input, const std::string& path) : input_(input), path_(path)
@@ -51,7 +57,7 @@ void CgnsFile::accept_newer_version(int type) const
     if (cgio_get_root_id(file, &root) == CGIO_ERR_NONE &&
         cgio_get_node_id(file, root, "CGNSLibraryVersion", &node) == CGIO_ERR_NONE &&
         cgio_read_all_data(file, node, &version) == CGIO_ERR_NONE && version >= 4 && version < 5) {
-        input_.set_version(exact_text(version));
+        input_.set_version(version_text(version));
         version = static_cast<float>(CGNS_DOTVERS);
         cgio_write_all_data(file, node, &version);
     }
@@ -64,7 +70,7 @@ void CgnsFile::read_version(int type) const
         return;
     float version = 0;
     if (input_.notes->version.empty() && cg_version(number_, &version) == CG_OK)
-        input_.set_version(exact_text(version));
+        input_.set_version(version_text(version));
     input_.set_version(input_.notes->version + (type == CG_FILE_HDF5 ? ", HDF5" : ", ADF"));
 }
 
