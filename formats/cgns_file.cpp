@@ -37,7 +37,7 @@ std::string version_text(float version)
 CgnsFile::CgnsFile(const InputBytes& input, const std::string& path) : input_(input), path_(path)
 {
     int type = CG_FILE_NONE;
-    if (cgio_check_file(path.c_str(), &type) != CGIO_ERR_NONE)
+    if (cgio_check_file(path.c_str(), &type) != CGIO_ERR_NONE || type == CG_FILE_NONE)
         fail("not a CGNS file, which begins as one of HDF5 or ADF does");
     accept_newer_version(type);
     require(cg_open(path.c_str(), CG_MODE_READ, &number_), "the file");

@@ -23,7 +23,7 @@ public:
         else if (axes_.size() != 2)
             leave_out_cgns_set(file_, zone_, set_,
                                "of a structured volume only ranges of vertices are supported");
-        else if (set_.place == CgnsPlace::element)
+        else if (set_.place == CgnsPlace::element || set_.place == face_place())
             add_cells();
         else
             add_edges();
@@ -110,6 +110,13 @@ private:
     {
         if (at[axis] > zone_.size[axis] - 2)
             fail(std::string("names ") + what + " behind the last");
+    }
+
+    /// What the quads of a plane are to a grid of three dimensions.
+    CgnsPlace face_place() const
+    {
+        constexpr std::array<CgnsPlace, 3> places{CgnsPlace::i_face, CgnsPlace::j_face, CgnsPlace::k_face};
+        return places[3 - axis(0) - axis(1)];
     }
 
     void add_cells()

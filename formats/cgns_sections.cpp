@@ -133,16 +133,16 @@ private:
             section_.items.push_back({CgnsKind::other, 0});
             return;
         case CGNS_ENUMV(BAR_2):
-            section_.items.push_back({CgnsKind::edge, static_cast<Index>(zone_.edges.size())});
             zone_.edges.push_back(corners<2>(2));
+            section_.items.push_back({CgnsKind::edge, static_cast<Index>(zone_.edges.size()) - 1});
             return;
         case CGNS_ENUMV(TRI_3):
         case CGNS_ENUMV(QUAD_4): {
             const std::size_t count = type == CGNS_ENUMV(TRI_3) ? 3 : 4;
-            section_.items.push_back({CgnsKind::face, static_cast<Index>(zone_.mesh.elements.size())});
             zone_.mesh.elements.push_back(corners<4>(count));
             if (count == 3)
                 zone_.mesh.elements.back()[3] = -1;
+            section_.items.push_back({CgnsKind::face, static_cast<Index>(zone_.mesh.elements.size()) - 1});
             return;
         }
         default:
@@ -153,8 +153,8 @@ private:
             fail("holds elements of the type " +
                  std::string(cg_ElementTypeName(static_cast<CGNS_ENUMT(ElementType_t)>(type))) +
                  ", but only BAR_2, TRI_3, QUAD_4, TETRA_4, PYRA_5, PENTA_6 and HEXA_8 are supported");
-        section_.items.push_back({CgnsKind::cell, static_cast<Index>(zone_.cells.size())});
         zone_.cells.push_back({*shape, corners<8>(static_cast<std::size_t>(corner_count(*shape)))});
+        section_.items.push_back({CgnsKind::cell, static_cast<Index>(zone_.cells.size()) - 1});
     }
 
     template <std::size_t N>
