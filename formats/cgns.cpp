@@ -9,6 +9,7 @@
 #include "formats/child_process.h"
 #include "formats/input_file.h"
 #include "formats/mesh_bytes.h"
+#include "formats/message_text.h"
 #include "formats/scratch_folder.h"
 
 namespace morph {
@@ -68,10 +69,10 @@ std::vector<std::string> losses(const MeshData& mesh, const WriteOptions&)
     std::vector<std::string> lost;
     for (const ElementGroup& group : mesh.groups)
         if (group.elements.empty())
-            lost.push_back("group '" + group.name + "', which is empty");
+            lost.push_back("group " + quoted_text(group.name) + ", which is empty");
     if (mesh.points.rows() == 0)
         for (const Marker& marker : mesh.markers)
-            lost.push_back("marker '" + marker.name + "' without vertices");
+            lost.push_back("marker " + quoted_text(marker.name) + " without vertices");
     return lost;
 }
 

@@ -1,5 +1,6 @@
 #include "formats/cgns_join.h"
 
+#include "formats/message_text.h"
 #include "formats/surface.h"
 #include "libmorph/core/error.h"
 
@@ -160,7 +161,7 @@ private:
             const Field* part = find_field(mesh.fields, like.name, like.location);
             const bool needed = nodal || !mesh.elements.empty();
             if (needed && (!part || part->values.cols() != whole.values.cols()))
-                return warn_once("field '" + like.name + "' was left out: " + zones_[z].title() +
+                return warn_once("field " + quoted_text(like.name) + " was left out: " + zones_[z].title() +
                                  " does not have it");
             if (needed)
                 whole.values.middleRows(nodal ? offsets_[z].vertex : offsets_[z].element,

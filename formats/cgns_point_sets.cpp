@@ -1,4 +1,5 @@
 #include "formats/cgns_point_sets.h"
+#include "formats/message_text.h"
 
 #include <array>
 
@@ -111,7 +112,7 @@ private:
                        cgsize_t count) const
     {
         CgnsPointSet set;
-        set.what = kind + " '" + name + "'";
+        set.what = kind + " " + quoted_text(name);
         set.name = name;
         set.range = type == CGNS_ENUMV(PointRange) || type == CGNS_ENUMV(ElementRange);
         if (count < 0 || (set.range && count != 2))

@@ -3,6 +3,7 @@
 #include "formats/cgns_fields.h"
 #include "formats/cgns_join.h"
 #include "formats/cgns_zone.h"
+#include "formats/message_text.h"
 #include "libmorph/core/names.h"
 
 #include <charconv>
@@ -13,6 +14,13 @@
 namespace morph {
 
 namespace {
+
+/// For messages, in which a list of names has no quotes.
+std::string printable(const std::string& name)
+{
+    const std::string quoted = quoted_text(name);
+    return quoted.substr(1, quoted.size() - 2);
+}
 
 class CgnsReader {
 public:
@@ -48,7 +56,7 @@ private:
                 cell_dimension_ = cells;
                 zones = count;
             } else if (count > 0) {
-                file_.input().warn(std::string("base '") + name.data() + "' was left out: only one is read");
+                file_.input().warn("base " + quoted_text(name.data()) + " was left out: only one is read");
             }
         }
         if (bases == 0)
@@ -66,9 +74,9 @@ private:
             std::array<char, kCgnsNameRoom> name{};
             std::array<cgsize_t, 9> size{};
             file_.require(cg_zone_read(file_.number(), base_, z, name.data(), size.data()), "a zone");
-            names.emplace_back(name.data());
+            names.push_back(printable(name.data()));
             all.push_back(z);
-            if (names.back() == wanted)
+            if (wanted == name.data())
                 return {z};
         }
         if (wanted.empty())
@@ -77,7 +85,7 @@ private:
         const auto [stop, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
         if (error == std::errc() && stop == wanted.data() + wanted.size() && number >= 1 && number <= zones)
             return {number};
-        file_.fail("has no zone '" + wanted + "'; its zones are " + joined(names) +
+        file_.fail("has no zone " + quoted_text(wanted) + "; its zones are " + joined(names) +
                    did_you_mean(wanted, names));
     }
 
@@ -179,7 +187,7 @@ private:
     void require_cartesian(const CgnsZone& zone) const
     {
         if (!has_coordinate(zone, "CoordinateX") || !has_coordinate(zone, "CoordinateY"))
-            file_.fail(zone.title() + " has the coordinates " + joined(coordinates(zone)) +
+            file_.fail(zone.title() + " has the coordinates " + printable(joined(coordinates(zone))) +
                        ", expected CoordinateX, CoordinateY and perhaps CoordinateZ");
     }
 

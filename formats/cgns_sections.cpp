@@ -1,4 +1,5 @@
 #include "formats/cgns_zone.h"
+#include "formats/message_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -57,7 +58,7 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& what) const { file_.fail(title() + " " + what); }
-    std::string title() const { return zone_.title() + ", section '" + section_.name + "'"; }
+    std::string title() const { return zone_.title() + ", section " + quoted_text(section_.name); }
 
     bool has_counts() const { return type_ == CGNS_ENUMV(NGON_n) || type_ == CGNS_ENUMV(NFACE_n); }
 
@@ -216,8 +217,8 @@ void read_cgns_sections(const CgnsFile& file, CgnsZone& zone)
     for (std::size_t s = 1; s < zone.sections.size(); ++s) {
         const CgnsSection& before = zone.sections[s - 1];
         if (before.first + static_cast<std::int64_t>(before.items.size()) > zone.sections[s].first)
-            file.fail(zone.title() + ", sections '" + before.name + "' and '" + zone.sections[s].name +
-                      "' have numbers of elements in common");
+            file.fail(zone.title() + ", sections " + quoted_text(before.name) + " and " +
+                      quoted_text(zone.sections[s].name) + " have numbers of elements in common");
     }
 }
 

@@ -1,5 +1,6 @@
 #include "formats/cgns_fields.h"
 #include "formats/cgns_zone.h"
+#include "formats/message_text.h"
 
 #include <cgnslib.h>
 
@@ -21,7 +22,7 @@ public:
 
 private:
     void leave_out(const std::string& why) const { file_.input().warn(title() + " was left out: " + why); }
-    std::string title() const { return zone_.title() + ", solution '" + name_ + "'"; }
+    std::string title() const { return zone_.title() + ", solution " + quoted_text(name_); }
 
     void read(int s)
     {
@@ -82,7 +83,7 @@ private:
             high[axis] = std::max<cgsize_t>(zone_.size[axis] - at_cells, 1);
         file_.require(cg_field_read(file_.number(), zone_.base, zone_.number, s, name.data(),
                                     CGNS_ENUMV(RealDouble), low.data(), high.data(), array.values.data()),
-                      title() + ", array '" + name.data() + "'");
+                      title() + ", array " + quoted_text(name.data()));
         return array;
     }
 

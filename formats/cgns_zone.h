@@ -1,6 +1,7 @@
 #pragma once
 
 #include "formats/cgns_file.h"
+#include "formats/message_text.h"
 #include "formats/volume_surface.h"
 
 #include <array>
@@ -41,7 +42,7 @@ struct CgnsZone {
 
     bool structured() const { return index_dimension > 1; }
     Index vertex_count() const { return size[0] * size[1] * size[2]; }
-    std::string title() const { return "zone '" + name + "'"; }
+    std::string title() const { return "zone " + quoted_text(name); }
 };
 
 /// The elements of an unstructured zone.
