@@ -12,7 +12,7 @@ PACKAGES := \
 BENCH_PACKAGES := libvtk9-dev python3-numpy
 
 # The programs that `make peers` lets read what we write.
-PEER_PACKAGES := gmsh python3-gmsh python3-meshio python3-vtk9
+PEER_PACKAGES := gmsh python3-gmsh python3-meshio python3-vtk9 cgns-convert
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)

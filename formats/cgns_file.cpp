@@ -105,7 +105,7 @@ std::string CgnsFile::descriptor(const std::string& name)
         char* text = nullptr;
         if (cg_descriptor_read(d, found.data(), &text) != CG_OK)
             continue;
-        const std::string copy(text);
+        std::string copy(text);
         cg_free(text);
         if (name == found.data())
             return copy;

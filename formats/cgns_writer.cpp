@@ -151,7 +151,7 @@ private:
     /// @return the name of its node, which no other family has
     std::string write_family(const std::string& name, int& number)
     {
-        const std::string node = cgns_node_name(name, family_names_);
+        std::string node = cgns_node_name(name, family_names_);
         require(cg_family_write(file_, kBase, node.c_str(), &number));
         if (node != name) {
             require(cg_goto(file_, kBase, "Family_t", number, "end"));

@@ -38,7 +38,7 @@ ScratchFolder::~ScratchFolder()
 
 std::string ScratchFolder::write(const std::string& name, std::string_view bytes) const
 {
-    const std::string path = file(name);
+    std::string path = file(name);
     std::ofstream stream(path, std::ios::binary);
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.close();

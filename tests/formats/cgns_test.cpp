@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cgnslib.h>
 
 namespace morph {
@@ -59,6 +61,47 @@ TEST(Cgns, ReadsAMeshOfAnotherProgramAsItsOtherFormat)
     EXPECT_LE((cgns.points - su2.points).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 1e-15);
     cgns.points = su2.points;
     EXPECT_EQ(difference(cgns, su2), "");
+}
+
+MeshData from_peer(const std::string& name, const ReadOptions& options = {})
+{
+    return read_mesh_data(test::data_path("cgns/" + name), "", options);
+}
+
+TEST(Cgns, ReadsAnAdfFile)
+{
+    MeshData mesh = test::square_and_triangle(0);
+    mesh.points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0;
+    mesh.elements = {{0, 1, 4, 3}, {1, 2, 4, -1}};
+    mesh.markers = {{"wall", {{0, 1}, {1, 2}}}, {"far", {{3, 0}}}};
+    EXPECT_EQ(difference(from_peer("adf.cgns"), mesh), "");
+}
+
+TEST(Cgns, ReadsTheSurfaceOfAVolumeOfTheCgnsTools)
+{
+    const MeshData mesh = from_peer("aflr3.cgns", {true, ""});
+    ASSERT_EQ(mesh.elements.size(), 9U);
+    // The volume within the surface, by the divergence theorem: a cube of 1 and a pyramid of 1/3.
+    double volume = 0;
+    for (const Element& face : mesh.elements)
+        for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(corner_count(face)); ++k) {
+            const auto corner = [&](std::size_t i) -> Eigen::Vector3d { return mesh.points.row(face[i]); };
+            volume += corner(0).dot(corner(k).cross(corner(k + 1))) / 6;
+        }
+    EXPECT_NEAR(volume, 4.0 / 3, 8e-15); // sums of a dozen numbers of about 1
+    std::vector<std::size_t> sizes;
+    for (const ElementGroup& group : mesh.groups)
+        sizes.push_back(group.elements.size());
+    EXPECT_THAT(sizes, ElementsAre(4, 1, 4));
+}
+
+TEST(Cgns, ReadsAStructuredGridOfTheCgnsTools)
+{
+    const MeshData mesh = from_peer("plot3d.cgns");
+    EXPECT_EQ(mesh.dimension, 2);
+    ASSERT_EQ(mesh.elements.size(), 6U);
+    EXPECT_EQ(mesh.elements[5], (Element{6, 7, 11, 10}));
+    EXPECT_EQ(mesh.points.row(11), Eigen::RowVector3d(3, 2, 0));
 }
 
 TEST(Cgns, WritesWhatTheStandardSays)
