@@ -10,7 +10,7 @@ const Format su2_format{
     .name = "su2",
     .extensions = {".su2"},
     .description = "SU2 mesh",
-    .holds = {.surface = true, .markers = true},
+    .holds = {.surface = true, .markers = true, .groups = true, .volume = true},
     .read = read_su2,
     .write = write_su2,
 };

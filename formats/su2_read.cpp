@@ -1,236 +1,195 @@
 #include "formats/su2_read.h"
 
-#include "formats/cell_types.h"
-#include "formats/su2_carried.h"
-#include "formats/su2_markers.h"
 #include "formats/su2_sections.h"
-#include "formats/su2_vertex_ids.h"
+#include "formats/su2_zone.h"
+#include "formats/surface.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
+#include <set>
 
 namespace morph {
 
 namespace {
 
-constexpr std::size_t kShortestElement = 8; // "5 0 1 2\n"
-constexpr std::size_t kShortestPoint = 4;   // "0 0\n"
-
-class Su2Reader {
-public:
-    explicit Su2Reader(const InputBytes& input) : in_(input.path, input.bytes, '%') {}
-    MeshData read();
-
-private:
-    void read_dimension();
-    void read_section();
-    bool read_counted(std::string_view key, std::size_t start);
-    void begin(std::optional<Su2Section>& section, std::string_view name, std::size_t key);
-    void read_one_zone();
-    void read_elements();
-    Element read_element(std::size_t i);
-    void read_points();
-    void read_point(std::size_t i);
-
-    void check_sections() const;
-    void check_element_vertices();
-    void sort_points();
-
-    TextScanner in_;
-    MeshData data_;
-    std::size_t dimension_key_ = 0;
-    std::optional<Su2Section> elements_;
-    std::optional<Su2Section> points_;
-    std::optional<Su2Section> marker_count_;
-    Index largest_vertex_ = -1; ///< that an element names
-    Su2VertexIds ids_;
-    Su2CarriedSections carried_;
-    Su2Markers markers_{carried_};
+/// The zones of a file with NZONE= 2 or more: where each begins, behind its IZONE= line, and ends.
+struct ZoneText {
+    std::size_t begin = 0;
+    std::size_t end = 0;
 };
 
-MeshData Su2Reader::read()
+/// NZONE= of the file; 1 without it. It stands before all zones, as SU2 has it.
+std::int64_t zone_count(TextScanner& in)
 {
-    read_dimension();
-    while (in_.skip_white())
-        read_section();
-    check_sections();
-    check_element_vertices();
-    markers_.check_vertices(in_, points_->count);
-    sort_points();
-    data_.markers = markers_.take();
-    data_.carried = carried_.texts();
-    return std::move(data_);
+    const auto dimension = find_su2_key(in, "NDIME", 0);
+    TextScanner head(in.path(), in.text().substr(0, dimension.value_or(in.text().size())), '%');
+    const auto key = find_su2_key(head, "NZONE", 0);
+    if (!key)
+        return 1;
+    in.seek(head.position());
+    const std::int64_t zones = in.integer("a number of zones after NZONE=");
+    in.end_line("NZONE= " + std::to_string(zones));
+    if (zones < 1)
+        in.fail_at(*key, "NZONE= " + std::to_string(zones) + ", expected 1 or more");
+    return zones;
 }
 
-void Su2Reader::read_dimension()
+std::vector<ZoneText> zone_texts(TextScanner& in, std::int64_t count)
 {
-    dimension_key_ = find_su2_dimension(in_);
-    const std::int64_t dimension = in_.integer("2 or 3 after NDIME=");
-    if (dimension != 2 && dimension != 3)
-        in_.fail("NDIME= " + std::to_string(dimension) + ", expected 2 or 3");
-    in_.end_line("NDIME= " + std::to_string(dimension));
-    data_.dimension = static_cast<int>(dimension);
-    in_.seek(0);
-}
-
-void Su2Reader::read_section()
-{
-    const std::size_t start = in_.position();
-    const std::string_view key = try_su2_key(in_);
-    if (key.empty())
-        in_.fail("expected a section such as NELEM=, found " + in_.found());
-    if (read_counted(key, start))
-        return;
-    if (key == "MARKER_TAG")
-        markers_.read(in_, start);
-    else if (key == "MARKER_ELEMS")
-        in_.fail("MARKER_ELEMS= without a MARKER_TAG= before it");
-    else if (key == "NZONE")
-        read_one_zone();
-    else
-        carried_.add_section(key, skip_su2_section(in_, start));
-}
-
-/// The sections of which a file has one each.
-bool Su2Reader::read_counted(std::string_view key, std::size_t start)
-{
-    if (key == "NDIME") {
-        if (start != dimension_key_)
-            in_.fail("NDIME= is given again, after line " + std::to_string(in_.line_of(dimension_key_)));
-        in_.skip_line();
-    } else if (key == "NELEM") {
-        begin(elements_, key, start);
-        read_elements();
-    } else if (key == "NPOIN") {
-        begin(points_, key, start);
-        read_points();
-    } else if (key == "NMARK") {
-        begin(marker_count_, key, start);
-    } else {
-        return false;
+    std::vector<ZoneText> zones;
+    std::size_t from = 0;
+    while (const auto key = find_su2_key(in, "IZONE", from)) {
+        if (!zones.empty())
+            zones.back().end = *key;
+        const std::int64_t number = in.integer("the number of a zone after IZONE=");
+        if (number != static_cast<std::int64_t>(zones.size()) + 1)
+            in.fail_at(*key,
+                       "IZONE= " + std::to_string(number) + ", expected " + std::to_string(zones.size() + 1));
+        in.end_line("IZONE= " + std::to_string(number));
+        from = in.position();
+        zones.push_back({from, in.text().size()});
     }
-    return true;
+    if (static_cast<std::int64_t>(zones.size()) != count)
+        throw InputError(in.path() + ": NZONE= " + std::to_string(count) + ", but " +
+                         std::to_string(zones.size()) + " zone(s) begin with IZONE=");
+    return zones;
 }
 
-/// Read the count behind a key; a line with further numbers is carried.
-void Su2Reader::begin(std::optional<Su2Section>& section, std::string_view name, std::size_t key)
+std::string zone_name(std::size_t zone)
 {
-    if (section)
-        in_.fail(std::string(name) + "= is given again, after line " +
-                 std::to_string(in_.line_of(section->key)));
-    section = read_su2_section(in_, name, key);
-    in_.seek(key);
-    const std::string_view line = in_.rest_of_line();
-    if (line.find_first_of(" \t", line.find_first_of("0123456789")) != std::string_view::npos)
-        carried_.add_header(line);
-    in_.seek(section->start);
+    return "zone_" + std::to_string(zone + 1);
 }
 
-void Su2Reader::read_one_zone()
+/// The zone that is wanted, by its number or name.
+std::size_t wanted_zone(const InputBytes& file, std::size_t count)
 {
-    const std::int64_t zones = in_.integer("a number of zones after NZONE=");
-    if (zones != 1)
-        in_.fail("the file has " + std::to_string(zones) + " zones, but one is supported");
-    in_.end_line("NZONE= 1");
+    const std::string& wanted = file.options.zone;
+    for (std::size_t zone = 0; zone < count; ++zone)
+        if (wanted == zone_name(zone) || wanted == std::to_string(zone + 1))
+            return zone;
+    throw InputError(file.path + ": has no zone '" + wanted + "', but " + std::to_string(count) +
+                     " zone(s), which are called by their number from 1");
 }
 
-void Su2Reader::read_elements()
-{
-    data_.elements.reserve(su2_room(in_, *elements_, kShortestElement));
-    for (std::size_t i = 0; i < static_cast<std::size_t>(elements_->count); ++i) {
-        in_.skip_white();
-        data_.elements.push_back(read_element(i));
+/// Puts zones behind one another. What several have by one name keeps its zone in its name.
+class ZoneJoiner {
+public:
+    ZoneJoiner(std::vector<VolumeFile> zones, const InputBytes& file) : zones_(std::move(zones)), file_(file)
+    {
+        for (const VolumeFile& zone : zones_) {
+            for (const Marker& marker : zone.mesh.markers)
+                ++uses_[marker.name];
+            for (const ElementGroup& group : zone.mesh.groups)
+                ++uses_[group.name];
+        }
     }
-}
 
-Element Su2Reader::read_element(std::size_t i)
-{
-    Index type = 0;
-    if (!in_.try_index(type))
-        fail_su2_short(in_, *elements_, i, "the type of element " + std::to_string(i));
-    if (type != kTriangleCell && type != kQuadCell)
-        in_.fail("element " + std::to_string(i) + " is " + cell_type_name(type) +
-                 "; supported are triangles (type 5) and quads (type 9)");
-    Element element{-1, -1, -1, -1};
-    for (std::size_t k = 0; k < (type == kTriangleCell ? 3 : 4); ++k) {
-        if (!in_.try_index(element[k]))
-            in_.fail_expected("vertex " + std::to_string(k + 1) + " of " + cell_type_name(type) +
-                              ", element " + std::to_string(i));
-        largest_vertex_ = std::max(largest_vertex_, element[k]);
+    VolumeFile join()
+    {
+        for (std::size_t z = 0; z < zones_.size(); ++z)
+            all_.mesh.groups.push_back({unique_name(zone_name(z)), {}});
+        for (std::size_t z = 0; z < zones_.size(); ++z)
+            add(z);
+        set_points(all_.mesh, xyz_);
+        return std::move(all_);
     }
-    if (!end_su2_line(in_))
-        in_.fail_expected("a number or the end of the line after element " + std::to_string(i));
-    return element;
-}
 
-void Su2Reader::read_points()
-{
-    const std::size_t room = su2_room(in_, *points_, kShortestPoint);
-    data_.points.resize(static_cast<Eigen::Index>(room), 3);
-    for (std::size_t i = 0; i < room; ++i) {
-        in_.skip_white();
-        read_point(i);
+private:
+    void add(std::size_t z)
+    {
+        MeshData& mesh = zones_[z].mesh;
+        const auto vertex = static_cast<Index>(xyz_.size() / 3);
+        const auto element = static_cast<Index>(all_.mesh.elements.size());
+        if (mesh.points.rows() + std::int64_t{vertex} > INT32_MAX)
+            throw InputError(file_.path + ": the zones together have more than 2147483647 vertices");
+        xyz_.insert(xyz_.end(), mesh.points.data(), mesh.points.data() + mesh.points.size());
+        for (Element e : mesh.elements) {
+            for (Index& v : e)
+                v = v < 0 ? v : v + vertex;
+            all_.mesh.groups[z].elements.push_back(static_cast<Index>(all_.mesh.elements.size()));
+            all_.mesh.elements.push_back(e);
+        }
+        for (VolumeCell cell : zones_[z].cells) {
+            for (Index& v : cell.corners)
+                v += vertex;
+            all_.cells.push_back(cell);
+        }
+        for (Marker& marker : mesh.markers)
+            add_marker(std::move(marker), z, vertex);
+        for (ElementGroup& group : mesh.groups)
+            add_group(std::move(group), z, element);
+        for (const CarriedText& carried : mesh.carried)
+            file_.warn(carried.what + " of zone " + std::to_string(z + 1) +
+                       " left out of the joined zones; take a zone alone to keep it");
+        mesh = {};
     }
-    if (room < static_cast<std::size_t>(points_->count))
-        fail_su2_short(in_, *points_, room, "the end of the file");
-}
 
-void Su2Reader::read_point(std::size_t i)
-{
-    double* const row = data_.points.data() + 3 * i;
-    if (!in_.try_real(row[0]))
-        fail_su2_short(in_, *points_, i, "x of vertex " + std::to_string(i));
-    if (!in_.try_real(row[1]))
-        in_.fail_expected("y of vertex " + std::to_string(i));
-    row[2] = 0;
-    if (data_.dimension == 3 && !in_.try_real(row[2]))
-        in_.fail_expected("z of vertex " + std::to_string(i));
-    ids_.read(in_, static_cast<Index>(i));
-}
-
-void Su2Reader::check_sections() const
-{
-    if (!elements_ || !points_)
-        throw InputError(in_.path() + (elements_ ? ": NPOIN= is missing" : ": NELEM= is missing"));
-    const std::string found = ", but the file has " + std::to_string(markers_.blocks()) + " marker(s)";
-    if (marker_count_ && marker_count_->count != markers_.blocks())
-        in_.fail_at(marker_count_->key, "NMARK= " + std::to_string(marker_count_->count) + found);
-    if (!marker_count_ && markers_.blocks() > 0)
-        throw InputError(in_.path() + ": NMARK= is missing" + found);
-}
-
-/// The vertices may stand behind the elements, so that this waits until all is read.
-void Su2Reader::check_element_vertices()
-{
-    if (largest_vertex_ < points_->count)
-        return;
-    for (std::size_t i = 0; i < data_.elements.size(); ++i) {
-        const Element& element = data_.elements[i];
-        const Index largest = *std::max_element(element.begin(), element.end());
-        if (largest < points_->count)
-            continue;
-        seek_su2_line(in_, elements_->start, i);
-        fail_su2_vertex(in_, "element " + std::to_string(i), largest, points_->count);
+    void add_marker(Marker marker, std::size_t zone, Index vertex)
+    {
+        marker.name = distinct_name(marker.name, zone);
+        for (auto& [from, to] : marker.edges) {
+            from += vertex;
+            to += vertex;
+        }
+        all_.mesh.markers.push_back(std::move(marker));
     }
-}
 
-void Su2Reader::sort_points()
+    void add_group(ElementGroup group, std::size_t zone, Index element)
+    {
+        group.name = distinct_name(group.name, zone);
+        for (Index& e : group.elements)
+            e += element;
+        all_.mesh.groups.push_back(std::move(group));
+    }
+
+    std::string distinct_name(const std::string& name, std::size_t zone)
+    {
+        return unique_name(uses_[name] > 1 ? name + "_" + zone_name(zone) : name);
+    }
+
+    /// A name that nothing else has got so far.
+    std::string unique_name(std::string name)
+    {
+        while (!taken_.insert(name).second)
+            name += "_";
+        return name;
+    }
+
+    std::vector<VolumeFile> zones_;
+    const InputBytes& file_;
+    std::map<std::string, int> uses_; ///< by how many zones
+    std::set<std::string> taken_;
+    VolumeFile all_;
+    std::vector<double> xyz_;
+};
+
+VolumeFile read_zones(const InputBytes& file, TextScanner& in, std::int64_t count)
 {
-    const std::vector<Index> ids = ids_.permutation(in_, points_->start, points_->count);
-    if (ids.empty())
-        return;
-    Points sorted(data_.points.rows(), 3);
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        sorted.row(ids[i]) = data_.points.row(static_cast<Eigen::Index>(i));
-    data_.points = std::move(sorted);
+    const std::vector<ZoneText> texts = zone_texts(in, count);
+    const auto read_zone = [&](std::size_t z) {
+        return read_su2_zone(file.path, file.bytes.substr(0, texts[z].end), texts[z].begin);
+    };
+    if (!file.options.zone.empty())
+        return read_zone(wanted_zone(file, texts.size()));
+    std::vector<VolumeFile> zones;
+    for (std::size_t z = 0; z < texts.size(); ++z)
+        zones.push_back(read_zone(z));
+    return ZoneJoiner(std::move(zones), file).join();
 }
 
 } // namespace
 
-MeshData read_su2(const InputBytes& input)
+MeshData read_su2(const InputBytes& file)
 {
-    return Su2Reader(input).read();
+    TextScanner in(file.path, file.bytes, '%');
+    const std::int64_t zones = zone_count(in);
+    file.set_version(zones == 1 ? "ASCII" : std::to_string(zones) + " zones, ASCII");
+    if (zones > 1)
+        return surface_of(read_zones(file, in, zones), file);
+    if (!file.options.zone.empty())
+        wanted_zone(file, 1);
+    return surface_of(read_su2_zone(file.path, file.bytes, 0), file);
 }
 
 } // namespace morph

@@ -23,17 +23,25 @@ std::string_view try_su2_key(TextScanner& in)
     return line.substr(0, length);
 }
 
-std::size_t find_su2_dimension(TextScanner& in)
+std::optional<std::size_t> find_su2_key(TextScanner& in, std::string_view name, std::size_t from)
 {
     const std::string_view text = in.text();
-    for (std::size_t at = text.find("NDIME"); at != std::string_view::npos; at = text.find("NDIME", at + 1)) {
+    for (std::size_t at = text.find(name, from); at != std::string_view::npos; at = text.find(name, at + 1)) {
         const std::size_t before = text.substr(0, at).find_last_not_of(" \t\r");
         in.seek(at);
-        if ((before == std::string_view::npos || text[before] == '\n') && try_su2_key(in) == "NDIME")
+        if ((before == std::string_view::npos || text[before] == '\n') && try_su2_key(in) == name)
             return at;
     }
-    throw InputError(in.path() +
-                     (text.empty() ? ": the file is empty" : ": NDIME= is missing, so this is no SU2 mesh"));
+    return std::nullopt;
+}
+
+std::size_t find_su2_dimension(TextScanner& in, std::size_t from)
+{
+    if (const auto key = find_su2_key(in, "NDIME", from))
+        return *key;
+    const std::string where =
+        from == 0 ? ", so this is no SU2 mesh" : " behind line " + std::to_string(in.line_of(from));
+    throw InputError(in.path() + (in.text().empty() ? ": the file is empty" : ": NDIME= is missing" + where));
 }
 
 Su2Section read_su2_section(TextScanner& in, std::string_view name, std::size_t key)

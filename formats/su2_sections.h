@@ -2,6 +2,7 @@
 
 #include "formats/text_scanner.h"
 
+#include <optional>
 #include <vector>
 
 namespace morph {
@@ -18,9 +19,13 @@ struct Su2Section {
 /// line is none of that kind.
 std::string_view try_su2_key(TextScanner& in);
 
+/// The position of the first line "NAME= …" at or behind @p from, read up to behind its '='.
+std::optional<std::size_t> find_su2_key(TextScanner& in, std::string_view name, std::size_t from);
+
 /// The position of "NDIME=", which may stand behind what cannot be read without it.
+/// @param from  where the file or its zone begins
 /// @throws InputError  there is none
-std::size_t find_su2_dimension(TextScanner& in);
+std::size_t find_su2_dimension(TextScanner& in, std::size_t from);
 
 /// The count behind a key. The first line of the section is next.
 /// @throws InputError  it is none

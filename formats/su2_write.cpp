@@ -2,6 +2,7 @@
 
 #include "formats/cell_types.h"
 #include "formats/number_text.h"
+#include "formats/su2_groups.h"
 #include "formats/text_scanner.h"
 #include "libmorph/core/error.h"
 
@@ -131,6 +132,7 @@ void write_su2(const MeshData& data, const WriteOptions&, OutputFile& out)
     append_elements(data, out);
     append_points(data, out);
     append_markers(data, out);
+    append_su2_groups(data.groups, out);
     append_carried(data, out);
 }
 

@@ -309,7 +309,7 @@ TEST(Su2, NamesLineAndFaultOfEveryBrokenFile)
         {"NMARK= 1", "NELEM= 0\nNMARK= 1", "file:10: NELEM= is given again, after line 2"},
         {"NMARK= 1", "NPOIN= 0\nNMARK= 1", "file:10: NPOIN= is given again, after line 5"},
         {"NMARK= 1", "NMARK= 1\nNMARK= 1", "file:11: NMARK= is given again, after line 10"},
-        {"NDIME= 2", "NZONE= 3\nNDIME= 2", "file:1: the file has 3 zones, but one is supported"},
+        {"NDIME= 2", "NZONE= 3\nNDIME= 2", "file: NZONE= 3, but 0 zone(s) begin with IZONE="},
         {"MARKER_TAG= body\n", "", "file:11: MARKER_ELEMS= without a MARKER_TAG= before it"},
         {"MARKER_TAG= body",
          "MARKER_TAG= ", "file:11: expected a name after MARKER_TAG=, found the end of the line"},
