@@ -1,5 +1,6 @@
 #include "formats/su2_groups.h"
 
+#include "formats/message_text.h"
 #include "formats/names_in_text.h"
 #include "formats/number_text.h"
 #include "formats/vtk_legacy.h"
@@ -49,21 +50,21 @@ void Su2Groups::read(TextScanner& in)
     if (!lines.rest().starts_with(kCount))
         lines.fail_expected("'" + std::string(kCount) + "' below the name of a group");
     lines.seek(lines.position() + kCount.size());
-    const Index count = lines.index("the number of elements of the group " + group.name);
+    const Index count = lines.index("the number of elements of the group " + quoted_text(group.name));
     lines.end_line("the number of elements");
     lines.skip_line();
     while (group.elements.size() < static_cast<std::size_t>(count)) {
         if (!lines.rest().starts_with('%'))
             lines.fail_expected("'%' and more of the " + std::to_string(count) + " elements of the group " +
-                                group.name);
+                                quoted_text(group.name));
         lines.seek(lines.position() + 1);
         while (!lines.at_line_end())
-            group.elements.push_back(lines.index("an element of the group " + group.name));
+            group.elements.push_back(lines.index("an element of the group " + quoted_text(group.name)));
         lines.skip_line();
     }
     if (group.elements.size() > static_cast<std::size_t>(count))
-        in.fail("the group " + group.name + " should have " + std::to_string(count) + " elements, but has " +
-                std::to_string(group.elements.size()));
+        in.fail("the group " + quoted_text(group.name) + " should have " + std::to_string(count) +
+                " elements, but has " + std::to_string(group.elements.size()));
     in.seek(lines.position());
 }
 
@@ -74,12 +75,12 @@ void Su2Groups::check_elements(const TextScanner& in, std::size_t elements) cons
         for (const Index element : groups_[g].elements) {
             const auto e = static_cast<std::size_t>(element);
             if (e >= elements)
-                in.fail_at(positions_[g], "the group " + groups_[g].name + " names element " +
+                in.fail_at(positions_[g], "the group " + quoted_text(groups_[g].name) + " names element " +
                                               std::to_string(e) + ", but the mesh has " +
                                               std::to_string(elements));
             if (last[e] == g)
-                in.fail_at(positions_[g],
-                           "the group " + groups_[g].name + " names element " + std::to_string(e) + " twice");
+                in.fail_at(positions_[g], "the group " + quoted_text(groups_[g].name) + " names element " +
+                                              std::to_string(e) + " twice");
             last[e] = g;
         }
 }

@@ -212,20 +212,20 @@ TEST(Su2Groups, FaultsAreNamedWithTheirLine)
     const std::string mesh = written(test::with_groups(test::bare(test::quad_square(1))), "su2");
     ASSERT_THAT(mesh, HasSubstr("% 0\n% GROUP_TAG= upper"));
     EXPECT_EQ(refusal(replaced(mesh, "% 0\n% GROUP_TAG= upper", "% 7\n% GROUP_TAG= upper"), "su2"),
-              "file:10: the group first names element 7, but the mesh has 1");
+              "file:10: the group 'first' names element 7, but the mesh has 1");
     EXPECT_EQ(
         refusal(replaced(mesh, "ELEMS= 1\n% 0\n% GROUP_TAG= u", "ELEMS= 2\n% 0 0\n% GROUP_TAG= u"), "su2"),
-        "file:10: the group first names element 0 twice");
+        "file:10: the group 'first' names element 0 twice");
     EXPECT_EQ(refusal(replaced(mesh, "% GROUP_ELEMS= 1\n", ""), "su2"),
               "file:11: expected '% GROUP_ELEMS=' below the name of a group, found '%'");
     EXPECT_THAT(
         refusal(replaced(mesh, "% GROUP_ELEMS= 1\n% 0\n", "% GROUP_ELEMS= 2000000000\n% 0\nNMARK= 0\n"),
                 "su2"),
-        HasSubstr("file:13: expected '%' and more of the 2000000000 elements of the group first"));
+        HasSubstr("file:13: expected '%' and more of the 2000000000 elements of the group 'first'"));
     EXPECT_THAT(refusal(replaced(mesh, "% 0\n", "% 0 0\n"), "su2"),
-                HasSubstr("file:10: the group first should have 1 elements, but has 2"));
+                HasSubstr("file:10: the group 'first' should have 1 elements, but has 2"));
     EXPECT_THAT(refusal(replaced(mesh, "% 0\n", "% zero\n"), "su2"),
-                HasSubstr("file:12: expected an element of the group first, found 'zero'"));
+                HasSubstr("file:12: expected an element of the group 'first', found 'zero'"));
 }
 
 TEST(Su2Zones, ZonesVolumesAndGroupsSurviveMutations)
