@@ -32,8 +32,9 @@ TEST(SurfaceFormats, OffObjAndPlyHoldEverySurfaceBitForBit)
     for (const auto& [name, mesh] : test::rich_meshes())
         for (const char* format : {"off", "obj", "ply"})
             for (const bool binary : {false, true})
-                EXPECT_EQ(
-                    difference(bare(mesh), read_bytes(written(mesh, format, {.binary = binary}), format)), "")
+                EXPECT_EQ(difference(bare(mesh),
+                                     read_bytes(written(bare(mesh), format, {.binary = binary}), format)),
+                          "")
                     << name << " as " << format;
 }
 
