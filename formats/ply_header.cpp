@@ -110,7 +110,9 @@ PlyHeader read_ply_header(TextScanner& in)
                 in.index("the number of rows of the element '" + element.name + "'"));
         } else if (word == "property" && !header.elements.empty()) {
             header.elements.back().properties.push_back(property(in));
-        } else if (word != "comment" && word != "obj_info") {
+        } else if (word == "comment") {
+            header.comments.emplace_back(in.rest_of_line());
+        } else if (word != "obj_info") {
             in.seek(position);
             in.fail_expected("a line of a PLY header such as 'element vertex 8', behind 'format ascii 1.0'");
         }

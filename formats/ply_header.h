@@ -29,6 +29,7 @@ enum class PlyCoding { ascii, little_endian, big_endian };
 struct PlyHeader {
     PlyCoding coding = PlyCoding::ascii;
     std::vector<PlyElement> elements;
+    std::vector<std::string> comments; ///< each without the word "comment"
 };
 
 /// Read the header; the scanner then stands at the first byte behind its last line.
