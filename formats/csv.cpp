@@ -22,7 +22,7 @@ extern const Format csv_format;
 const Format csv_format{.name = "csv",
                         .extensions = {".csv"},
                         .description = "comma-separated points and nodal fields",
-                        .holds = {.surface = true, .vertex_fields = true, .elements = false},
+                        .holds = {.surface = true, .vertex_fields = true, .elements = false, .quads = false},
                         .read = read_csv,
                         .write = write_csv};
 

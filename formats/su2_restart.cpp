@@ -26,11 +26,12 @@ void write_su2_restart(const MeshData& mesh, const WriteOptions&, OutputFile& ou
 } // namespace
 
 extern const Format su2_restart_format;
-const Format su2_restart_format{.name = "su2_restart",
-                                .extensions = {}, // .csv is any table
-                                .description = "SU2 restart file as text",
-                                .holds = {.surface = true, .vertex_fields = true, .elements = false},
-                                .read = read_su2_restart,
-                                .write = write_su2_restart};
+const Format su2_restart_format{
+    .name = "su2_restart",
+    .extensions = {}, // .csv is any table
+    .description = "SU2 restart file as text",
+    .holds = {.surface = true, .vertex_fields = true, .elements = false, .quads = false},
+    .read = read_su2_restart,
+    .write = write_su2_restart};
 
 } // namespace morph
