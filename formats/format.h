@@ -66,6 +66,9 @@ struct WriteOptions {
 struct Companion {
     std::string suffix; ///< of its name, in place of the mesh file's extension: ".neighbours.txt"
     std::function<void(const MeshData&, OutputFile&)> write;
+
+    /// Its path for that of the mesh file; null: by the suffix.
+    std::function<std::string(const std::string&)> path = nullptr;
 };
 
 /// One file format: a row of the table by extension. Each formats/NAME.cpp defines one of these, and

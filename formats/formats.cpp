@@ -106,6 +106,8 @@ void require_surface_fits(const MeshData& data, const Format& format, const std:
 /// The companion's own name, in the folder of @p path.
 std::string path_beside(const std::string& path, const Companion& companion)
 {
+    if (companion.path)
+        return companion.path(path);
     return std::filesystem::path(path).replace_extension().string() + companion.suffix;
 }
 
