@@ -14,20 +14,32 @@ using test::difference;
 using test::read_bytes;
 using test::written;
 
-TEST(Gmsh, HoldsEveryMeshBitForBitAsTextAndBinary)
+/// A hybrid mesh with elements of no group, of one and of two, and a group of none.
+MeshData grouped()
 {
-    for (const auto& [name, mesh] : test::rich_meshes())
-        for (const bool binary : {false, true})
-            EXPECT_EQ(difference(mesh, read_bytes(written(mesh, "gmsh", {.binary = binary}), "gmsh")), "")
-                << name << (binary ? " binary" : " as text");
+    MeshData mesh = test::rich_meshes()[2].second;
+    mesh.groups = {{"inner \"core\"", {1, 2, 5}}, {"empty", {}}, {"outer", {2, 4, 5, 7}}};
+    return mesh;
+}
+
+TEST(Gmsh, HoldsEveryMeshBitForBit)
+{
+    std::vector<std::pair<std::string, MeshData>> meshes = test::rich_meshes();
+    meshes.emplace_back("groups", grouped());
+    for (const auto& [name, mesh] : meshes)
+        for (const char* format : {"gmsh", "gmsh22"})
+            for (const bool binary : {false, true})
+                EXPECT_EQ(difference(mesh, read_bytes(written(mesh, format, {.binary = binary}), format)), "")
+                    << name << " as " << format << (binary ? " binary" : " text");
 }
 
 TEST(Gmsh, SurvivesMutatedFiles)
 {
-    MeshData mesh = test::rich_meshes()[2].second;
-    mesh.groups = {{"in", {1, 2}}, {"out", {2, 4}}};
-    test::survive_mutations(
-        "gmsh", {written(mesh, "gmsh", {.binary = false}), written(mesh, "gmsh", {.binary = true})}, 2000);
+    for (const char* format : {"gmsh", "gmsh22"})
+        test::survive_mutations(format,
+                                {written(grouped(), format, {.binary = false}),
+                                 written(grouped(), format, {.binary = true})},
+                                2000);
 }
 
 } // namespace
