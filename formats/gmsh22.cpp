@@ -14,8 +14,7 @@ namespace {
 class Gmsh22Writer {
 public:
     Gmsh22Writer(const MeshData& mesh, GmshOutput& out)
-        : mesh_(mesh), out_(out), surfaces_(gmsh_surfaces(mesh)),
-          first_group_(static_cast<Index>(mesh.markers.size()) + 1)
+        : mesh_(mesh), out_(out), surfaces_(gmsh_surfaces(mesh))
     {
         for (const Marker& marker : mesh.markers)
             lines_ += static_cast<std::int64_t>(marker.edges.size());
@@ -24,10 +23,10 @@ public:
     void write()
     {
         write_gmsh_header(out_, "2.2");
-        write_gmsh_names(out_, mesh_);
+        write_gmsh_names(out_, mesh_, surfaces_.no_group);
         write_nodes();
         write_elements();
-        write_gmsh_fields(out_, mesh_, lines_ + 1);
+        write_gmsh_fields(out_, mesh_, faces_);
     }
 
 private:
@@ -45,31 +44,30 @@ private:
         out_.line("$EndNodes");
     }
 
-    const std::vector<Index>& groups_of(std::size_t element) const
+    /// Of the physical groups.
+    const std::vector<Index>& tags_of(std::size_t element) const
     {
-        return surfaces_.groups[static_cast<std::size_t>(surfaces_.of_element[element])];
+        return surfaces_.tags[static_cast<std::size_t>(surfaces_.of_element[element])];
     }
 
     /// How often an element is written.
-    std::int64_t copies(std::size_t element) const
+    std::size_t copies(std::size_t element) const
     {
-        return std::max<std::int64_t>(1, static_cast<std::int64_t>(groups_of(element).size()));
+        return std::max<std::size_t>(1, tags_of(element).size());
     }
 
     void write_elements()
     {
-        std::int64_t total = lines_;
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
-            total += copies(e);
-        out_.line("$Elements\n" + std::to_string(total));
+            faces_.insert(faces_.end(), copies(e), static_cast<Index>(e));
+        out_.line("$Elements\n" + std::to_string(lines_ + static_cast<std::int64_t>(faces_.size())));
         write_lines();
-        next_copy_ = lines_ + static_cast<std::int64_t>(mesh_.elements.size()) + 1;
         for (std::size_t begin = 0, end = 0; begin < mesh_.elements.size(); begin = end) {
             std::int64_t rows = 0;
             for (; end < mesh_.elements.size() &&
                    corner_count(mesh_.elements[end]) == corner_count(mesh_.elements[begin]);
                  ++end)
-                rows += copies(end);
+                rows += static_cast<std::int64_t>(copies(end));
             begin_block(corner_count(mesh_.elements[begin]) == 3 ? kGmshTriangle : kGmshQuad, rows);
             for (std::size_t e = begin; e < end; ++e)
                 write_face(e);
@@ -94,26 +92,23 @@ private:
     void write_lines()
     {
         begin_block(kGmshLine, lines_);
-        std::int64_t tag = 0;
         for (std::size_t m = 0; m < mesh_.markers.size(); ++m)
             for (const auto& edge : mesh_.markers[m].edges)
-                write_row(++tag, static_cast<Index>(m) + 1, static_cast<Index>(m) + 1, edge.data(), 2);
+                write_row(static_cast<Index>(m) + 1, static_cast<Index>(m) + 1, edge.data(), 2);
     }
 
-    /// Copies have tags behind those of all elements.
     void write_face(std::size_t e)
     {
-        const std::vector<Index>& groups = groups_of(e);
-        for (std::int64_t copy = 0; copy < copies(e); ++copy)
-            write_row(copy == 0 ? lines_ + static_cast<std::int64_t>(e) + 1 : next_copy_++,
-                      groups.empty() ? 0 : first_group_ + groups[static_cast<std::size_t>(copy)],
-                      surfaces_.of_element[e] + 1, mesh_.elements[e].data(), corner_count(mesh_.elements[e]));
+        const std::vector<Index>& tags = tags_of(e);
+        for (std::size_t copy = 0; copy < copies(e); ++copy)
+            write_row(tags.empty() ? 0 : tags[copy], surfaces_.of_element[e] + 1, mesh_.elements[e].data(),
+                      corner_count(mesh_.elements[e]));
     }
 
-    void write_row(std::int64_t tag, Index physical, Index entity, const Index* vertices, int count)
+    void write_row(Index physical, Index entity, const Index* vertices, int count)
     {
         out_.begin_record();
-        out_.integer(tag);
+        out_.integer(next_tag_++);
         if (!out_.binary()) {
             out_.integer(type_);
             out_.integer(kTags);
@@ -130,10 +125,10 @@ private:
     const MeshData& mesh_;
     GmshOutput& out_;
     GmshSurfaces surfaces_;
-    Index first_group_; ///< tag of the first group
     std::int64_t lines_ = 0;
-    std::int64_t next_copy_ = 0; ///< tag
-    int type_ = 0;               ///< of the rows
+    std::int64_t next_tag_ = 1;
+    std::vector<Index> faces_; ///< elements with their copies
+    int type_ = 0;             ///< of the rows
 };
 
 void write_gmsh22(const MeshData& mesh, const WriteOptions& options, OutputFile& file)

@@ -122,15 +122,20 @@ void GmshElements::read_corners(const Block& block, std::int64_t tag)
 
 void GmshElements::add(const Block& block, std::int64_t tag, const std::array<Index, 8>& corners)
 {
+    if (block.cell.dimension == 0)
+        return;
+    if (block.cell.dimension < 3 && place(block).left_out) {
+        ++left_out_;
+        return;
+    }
     if (block.cell.dimension == 1) {
         const GmshGroups::Place& to = place(block);
-        left_out_ += to.left_out ? 1 : 0;
         for (std::size_t m = 0; m < to.numbers.size(); ++m)
             volume_.mesh.markers[to.numbers[m]].edges.push_back(
                 to.reversed[m] ? std::array{corners[1], corners[0]} : std::array{corners[0], corners[1]});
     } else if (block.cell.dimension == 2) {
         add_face(block, tag, {corners[0], corners[1], corners[2], block.type == kGmshQuad ? corners[3] : -1});
-    } else if (block.cell.dimension == 3) {
+    } else {
         VolumeCell cell{shape_of(block.type), {}};
         std::copy_n(corners.begin(), block.cell.corners, cell.corners.begin());
         add_cell(block, cell);

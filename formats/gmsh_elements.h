@@ -24,7 +24,8 @@ public:
 
     /// Of the faces, in their order; not sorted.
     GmshTags& tags() { return tags_; }
-    Index lines_left_out() const { return left_out_; }
+    /// Lines and faces between partitions.
+    Index left_out() const { return left_out_; }
 
 private:
     struct Block {

@@ -8,6 +8,7 @@ namespace morph {
 namespace {
 
 constexpr int kCurve = 1;
+constexpr int kSurface = 2;
 constexpr int kVolume = 3;
 
 std::int64_t magnitude(std::int64_t tag)
@@ -38,8 +39,11 @@ void GmshGroups::read_names()
             text.at_line_end();
             text.fail_expected("the name of a physical group in double quotes");
         }
+        const std::string plain(name.substr(1, name.size() - 2));
         const std::string* full = long_names_.physical(key.first, key.second);
-        if (names_.try_emplace(key, full ? *full : std::string(name.substr(1, name.size() - 2))).second)
+        if (key.first == kSurface && !full && plain == kGmshNoGroup)
+            no_groups_.push_back(key.second);
+        else if (names_.try_emplace(key, full ? *full : plain).second)
             order_.push_back(key);
     }
     in_.leave();
@@ -88,7 +92,7 @@ void GmshGroups::read_entity(int dimension, bool partitioned)
 void GmshGroups::begin()
 {
     for (const auto& [dimension, tag] : order_)
-        if (dimension == kCurve || dimension == kCurve + 1)
+        if (dimension == kCurve || dimension == kSurface)
             number_of(dimension, tag, {});
 }
 
@@ -115,14 +119,14 @@ const GmshGroups::Place& GmshGroups::place(int dimension, std::int64_t entity, s
         return place;
     const auto& entities = entities_.at(static_cast<std::size_t>(dimension));
     const auto known = entities.find(entity);
+    place.left_out = known != entities.end() && known->second.interface;
+    if (place.left_out) // it has the physical groups of what it parts
+        return place;
     if (physical != 0)
         add_physicals(place, dimension, {magnitude(physical)});
     else if (known != entities.end())
         add_physicals(place, dimension, known->second.physicals);
-    if (!place.numbers.empty() || dimension != kCurve)
-        return place;
-    place.left_out = known != entities.end() && known->second.interface;
-    if (!place.left_out) {
+    if (place.numbers.empty() && dimension == kCurve) {
         mesh_.markers.push_back({"curve_" + std::to_string(entity), {}});
         place.numbers = {mesh_.markers.size() - 1};
         place.reversed = {false};
@@ -134,6 +138,8 @@ void GmshGroups::add_physicals(Place& place, int dimension, const std::vector<st
 {
     for (const std::int64_t physical : physicals) {
         const std::int64_t tag = magnitude(physical);
+        if (dimension == kSurface && std::find(no_groups_.begin(), no_groups_.end(), tag) != no_groups_.end())
+            continue;
         const std::size_t number = number_of(dimension, tag, std::to_string(tag));
         if (std::find(place.numbers.begin(), place.numbers.end(), number) == place.numbers.end()) {
             place.numbers.push_back(number);

@@ -11,14 +11,14 @@
 namespace morph {
 
 /// Turns the physical groups of a Gmsh file into markers (lines) and groups (faces). Lines of no physical
-/// group are a marker `curve_N`, N being the tag of their curve; lines between partitions are left out.
+/// group are a marker `curve_N`, N being the tag of their curve; what lies between partitions is left out.
 class GmshGroups {
 public:
     /// Where the elements of one origin belong.
     struct Place {
         std::vector<std::size_t> numbers; ///< of markers or groups
         std::vector<bool> reversed;       ///< for each, whether it takes the line from end to start
-        bool left_out = false;            ///< lines between partitions
+        bool left_out = false;            ///< between partitions
     };
 
     GmshGroups(GmshScanner& in, const GmshNames& names, MeshData& mesh);
@@ -48,6 +48,7 @@ private:
     MeshData& mesh_;
     std::vector<std::pair<int, std::int64_t>> order_; ///< dimension and tag of what is named, as in the file
     std::map<std::pair<int, std::int64_t>, std::string> names_;
+    std::vector<std::int64_t> no_groups_; ///< tags of groups of elements that are in none
     std::array<std::map<std::int64_t, Entity>, 4> entities_;
     std::map<std::pair<int, std::int64_t>, std::size_t> numbers_;
     std::map<std::array<std::int64_t, 3>, Place> places_;

@@ -36,6 +36,10 @@ private:
 /// The first line of the section.
 inline constexpr std::string_view kGmshNamesTitle = "libmorph: what does not fit elsewhere";
 
+/// Name of the physical group of the elements that are in no other. A group of this name that is not ours
+/// has it in $Comments too.
+inline constexpr std::string_view kGmshNoGroup = "no group";
+
 /// True when a name can stand between quotes: 1 to 127 bytes, none of them a quote or a control character.
 bool fits_gmsh_quotes(std::string_view name);
 

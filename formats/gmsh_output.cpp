@@ -1,7 +1,10 @@
 #include "formats/gmsh_output.h"
 
 #include "formats/gmsh_names.h"
+#include "formats/vtk_output.h"
 #include "formats/vtk_legacy.h"
+
+#include <numeric>
 
 namespace morph {
 
@@ -19,7 +22,7 @@ std::string comments(const MeshData& mesh)
     std::size_t tag = 0;
     const auto physical = [&](int dimension, const std::string& name) {
         ++tag;
-        if (!fits_gmsh_quotes(name))
+        if (!fits_gmsh_quotes(name) || (dimension == 2 && name == kGmshNoGroup))
             text += "physical " + std::to_string(dimension) + " " + std::to_string(tag) + " " +
                     percent_encoded(name) + "\n";
     };
@@ -36,15 +39,17 @@ std::string comments(const MeshData& mesh)
     return text;
 }
 
-void write_field(GmshOutput& out, const Field& field, std::int64_t first_tag)
+/// @param rows  of the field, those of tags 1, 2, …
+void write_field(GmshOutput& out, const Field& field, const std::vector<Index>& rows)
 {
     const std::string name = field.location == FieldLocation::vertex ? "NodeData" : "ElementData";
     const auto components = static_cast<Index>(field.values.cols());
     out.line("$" + name + "\n1\n\"" + gmsh_quotable(field.name) + "\"\n1\n0\n3\n0\n" +
-             std::to_string(padded(components)) + "\n" + std::to_string(field.values.rows()));
-    for (Eigen::Index row = 0; row < field.values.rows(); ++row) {
+             std::to_string(padded(components)) + "\n" + std::to_string(rows.size()));
+    std::int64_t tag = 0;
+    for (const Index row : rows) {
         out.begin_record();
-        out.integer(first_tag + row);
+        out.integer(++tag);
         for (Index k = 0; k < padded(components); ++k)
             out.real(k < components ? field.values(row, k) : 0);
         out.end_record();
@@ -68,26 +73,36 @@ void write_gmsh_header(GmshOutput& out, std::string_view version)
     out.line("$EndMeshFormat");
 }
 
-void write_gmsh_names(GmshOutput& out, const MeshData& mesh)
+void write_gmsh_names(GmshOutput& out, const MeshData& mesh, Index no_group)
 {
     if (const std::string text = comments(mesh); !text.empty())
         out.line("$Comments\n" + std::string(kGmshNamesTitle) + "\n" + text + "$EndComments");
     if (mesh.markers.empty() && mesh.groups.empty())
         return;
     out.line("$PhysicalNames");
-    out.line(std::to_string(mesh.markers.size() + mesh.groups.size()));
+    out.line(std::to_string(mesh.markers.size() + mesh.groups.size() + (no_group > 0 ? 1 : 0)));
     std::size_t tag = 0;
     for (const Marker& marker : mesh.markers)
         out.line("1 " + std::to_string(++tag) + " \"" + gmsh_quotable(marker.name) + "\"");
     for (const ElementGroup& group : mesh.groups)
         out.line("2 " + std::to_string(++tag) + " \"" + gmsh_quotable(group.name) + "\"");
+    if (no_group > 0)
+        out.line("2 " + std::to_string(no_group) + " \"" + std::string(kGmshNoGroup) + "\"");
     out.line("$EndPhysicalNames");
 }
 
-void write_gmsh_fields(GmshOutput& out, const MeshData& mesh, std::int64_t first_element)
+void write_gmsh_fields(GmshOutput& out, const MeshData& mesh, const std::vector<Index>& faces)
 {
+    if (mesh.fields.empty())
+        return;
+    std::vector<Index> vertices(static_cast<std::size_t>(mesh.points.rows()));
+    std::iota(vertices.begin(), vertices.end(), 0);
+    std::vector<Index> elements;
+    if (!mesh.elements.empty())
+        elements = elements_beside_lines(mesh);
+    elements.insert(elements.end(), faces.begin(), faces.end());
     for (const Field& field : mesh.fields)
-        write_field(out, field, field.location == FieldLocation::vertex ? 1 : first_element);
+        write_field(out, field, field.location == FieldLocation::vertex ? vertices : elements);
 }
 
 } // namespace morph

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 namespace morph {
 
@@ -66,11 +67,15 @@ private:
     char* to_ = nullptr; ///< behind the last number of the record
 };
 
-/// What both versions have in common: header; names and, where needed, comments; data.
-/// Markers have the physical tags 1, 2, …, groups those that follow.
+/// What both versions have in common.
 void write_gmsh_header(GmshOutput& out, std::string_view version);
-void write_gmsh_names(GmshOutput& out, const MeshData& mesh);
-/// @param first_element  tag of the first element; the others follow
-void write_gmsh_fields(GmshOutput& out, const MeshData& mesh, std::int64_t first_element);
+
+/// Physical names, and where needed comments.
+/// @param no_group  see GmshSurfaces
+void write_gmsh_names(GmshOutput& out, const MeshData& mesh, Index no_group);
+
+/// @param faces  the elements as the file has them behind the lines, with tags that count up from 1 with the
+///               lines; meshio wants values for every element of a file, so lines have those of one beside
+void write_gmsh_fields(GmshOutput& out, const MeshData& mesh, const std::vector<Index>& faces);
 
 } // namespace morph

@@ -32,9 +32,9 @@ public:
         for_each("ParametricNodes", [&](const GmshSection&) { read_nodes(true); });
         require_distinct_nodes();
         for_each("Elements", [&](const GmshSection&) { elements_.read(); });
-        if (elements_.lines_left_out() > 0)
-            file_.warn(std::to_string(elements_.lines_left_out()) +
-                       " line(s) between partitions were left out");
+        if (elements_.left_out() > 0)
+            file_.warn(std::to_string(elements_.left_out()) +
+                       " line(s) or face(s) between partitions were left out");
         read_fields();
         volume_.mesh.dimension = dimension_of(volume_.mesh.points);
         return surface_of(std::move(volume_), file_);

@@ -24,15 +24,19 @@ GmshSurfaces gmsh_surfaces(const MeshData& mesh)
             set = entry->second;
         }
 
+    const auto first_group = static_cast<Index>(mesh.markers.size()) + 1;
+    const auto no_group = first_group + static_cast<Index>(mesh.groups.size());
     GmshSurfaces surfaces;
     std::vector<Index> surface_of(links.size(), -1);
     for (Index& set : set_of) {
         Index& surface = surface_of[static_cast<std::size_t>(set)];
         if (surface < 0) {
-            surface = static_cast<Index>(surfaces.groups.size());
-            std::vector<Index>& groups = surfaces.groups.emplace_back();
+            surface = static_cast<Index>(surfaces.tags.size());
+            std::vector<Index>& tags = surfaces.tags.emplace_back();
             for (Index link = set; link != 0; link = links[static_cast<std::size_t>(link)].rest)
-                groups.insert(groups.begin(), links[static_cast<std::size_t>(link)].group);
+                tags.insert(tags.begin(), first_group + links[static_cast<std::size_t>(link)].group);
+            if (tags.empty() && no_group > 1)
+                tags = {surfaces.no_group = no_group};
         }
         set = surface;
     }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <numeric>
 
 namespace morph {
 
@@ -34,18 +35,20 @@ class GmshWriter {
 public:
     GmshWriter(const MeshData& mesh, GmshOutput& out) : mesh_(mesh), out_(out), surfaces_(gmsh_surfaces(mesh))
     {
-        if (surfaces_.groups.empty()) // somewhere the nodes have to be
-            surfaces_.groups.emplace_back();
+        if (surfaces_.tags.empty()) // somewhere the nodes have to be
+            surfaces_.tags.emplace_back();
     }
 
     void write()
     {
         write_gmsh_header(out_, "4.1");
-        write_gmsh_names(out_, mesh_);
+        write_gmsh_names(out_, mesh_, surfaces_.no_group);
         write_entities();
         write_nodes();
         write_elements();
-        write_gmsh_fields(out_, mesh_, line_count(mesh_) + 1);
+        std::vector<Index> faces(mesh_.elements.size());
+        std::iota(faces.begin(), faces.end(), 0);
+        write_gmsh_fields(out_, mesh_, faces);
     }
 
 private:
@@ -70,7 +73,7 @@ private:
 
     void write_entities()
     {
-        std::vector<Box> boxes(surfaces_.groups.size());
+        std::vector<Box> boxes(surfaces_.tags.size());
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
             extend(boxes[static_cast<std::size_t>(surfaces_.of_element[e])], mesh_.elements[e],
                    corners_of(mesh_.elements[e]));
@@ -81,27 +84,26 @@ private:
             Box box;
             for (const auto& edge : mesh_.markers[m].edges)
                 extend(box, edge, 2);
-            write_entity(m + 1, box, {static_cast<Index>(m)}, 1);
+            write_entity(m + 1, box, {static_cast<Index>(m) + 1});
         }
         for (std::size_t s = 0; s < boxes.size(); ++s)
-            write_entity(s + 1, boxes[s], surfaces_.groups[s], mesh_.markers.size() + 1);
+            write_entity(s + 1, boxes[s], surfaces_.tags[s]);
         out_.end_numbers();
         out_.line("$EndEntities");
     }
 
     /// Tag, box, physical groups and, of no use here, entities around it.
-    void write_entity(std::size_t tag, const Box& box, const std::vector<Index>& groups,
-                      std::size_t first_group)
+    void write_entity(std::size_t tag, const Box& box, const std::vector<Index>& physicals)
     {
         out_.begin_record();
         out_.integer(static_cast<std::int64_t>(tag));
         for (const auto& corner : {box.min(), box.max()})
             for (const double x : corner)
                 out_.real(box.isEmpty() ? 0 : x);
-        out_.size(static_cast<std::int64_t>(groups.size()));
-        for (const Index group : groups) {
+        out_.size(static_cast<std::int64_t>(physicals.size()));
+        for (const Index physical : physicals) {
             out_.next_part();
-            out_.integer(group + static_cast<std::int64_t>(first_group));
+            out_.integer(physical);
         }
         out_.size(0);
         out_.end_record();

@@ -91,22 +91,6 @@ std::vector<std::int32_t> marker_numbers(const MeshData& mesh)
     return numbers;
 }
 
-/// For each line cell an element that has its first vertex.
-std::vector<Index> elements_beside_lines(const MeshData& mesh)
-{
-    std::vector<Index> element_at(static_cast<std::size_t>(mesh.points.rows()), 0);
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-        for (int i = 0; i < corner_count(mesh.elements[e]); ++i)
-            element_at[static_cast<std::size_t>(mesh.elements[e][static_cast<std::size_t>(i)])] =
-                static_cast<Index>(e);
-    std::vector<Index> beside;
-    beside.reserve(line_count(mesh));
-    for (const Marker& marker : mesh.markers)
-        for (const auto& edge : marker.edges)
-            beside.push_back(element_at[static_cast<std::size_t>(edge[0])]);
-    return beside;
-}
-
 void put_beside_lines(const MeshData& mesh, const Field& field, const NumberSink& sink)
 {
     if (mesh.elements.empty()) // nothing is beside the lines
@@ -252,6 +236,21 @@ private:
 };
 
 } // namespace
+
+std::vector<Index> elements_beside_lines(const MeshData& mesh)
+{
+    std::vector<Index> element_at(static_cast<std::size_t>(mesh.points.rows()), 0);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        for (int i = 0; i < corner_count(mesh.elements[e]); ++i)
+            element_at[static_cast<std::size_t>(mesh.elements[e][static_cast<std::size_t>(i)])] =
+                static_cast<Index>(e);
+    std::vector<Index> beside;
+    beside.reserve(line_count(mesh));
+    for (const Marker& marker : mesh.markers)
+        for (const auto& edge : marker.edges)
+            beside.push_back(element_at[static_cast<std::size_t>(edge[0])]);
+    return beside;
+}
 
 VtkOutput vtk_output(const MeshData& mesh, VtkOrder order)
 {

@@ -45,6 +45,9 @@ struct VtkOutput {
 
 VtkOutput vtk_output(const MeshData& mesh, VtkOrder order);
 
+/// For each line cell, marker by marker, an element that has its first vertex; 0 when none has.
+std::vector<Index> elements_beside_lines(const MeshData& mesh);
+
 /// The 4-byte integers "corner count, corners" of every cell, as legacy files want them.
 std::vector<std::int32_t> counted_corners(const MeshData& mesh);
 

@@ -18,7 +18,7 @@ using test::written;
 MeshData grouped()
 {
     MeshData mesh = test::rich_meshes()[2].second;
-    mesh.groups = {{"inner \"core\"", {1, 2, 5}}, {"empty", {}}, {"outer", {2, 4, 5, 7}}};
+    mesh.groups = {{"inner \"core\"", {1, 2, 5}}, {"no group", {0}}, {"empty", {}}, {"outer", {2, 4, 5, 7}}};
     return mesh;
 }
 
