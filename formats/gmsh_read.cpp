@@ -12,6 +12,12 @@ namespace morph {
 
 namespace {
 
+// The least that a node takes, "1 0 0 0\n", and a block of them, "1 1 0 0\n".
+constexpr std::size_t kNodeText = 8;
+constexpr std::size_t kNodeBytes = 28;
+constexpr std::size_t kBlockText = 8;
+constexpr std::size_t kBlockBytes = 16;
+
 class GmshReader {
 public:
     explicit GmshReader(const InputBytes& file)
@@ -71,7 +77,8 @@ private:
     void read_nodes(bool parametric)
     {
         const bool version_2 = in_.is_version_2();
-        const Index first = in_.first_count("the number of nodes", version_2 ? 8 : 4, version_2 ? 28 : 16);
+        const Index first = in_.first_count("the number of nodes", version_2 ? kNodeText : kBlockText,
+                                            version_2 ? kNodeBytes : kBlockBytes);
         if (version_2) {
             make_room(first);
             for (Index i = 0; i < first; ++i)
@@ -115,7 +122,7 @@ private:
 
     void read_blocks(Index blocks)
     {
-        const Index total = in_.count("the number of nodes", 8, in_.is_version_4_0() ? 28 : 32);
+        const Index total = in_.count("the number of nodes", kNodeText, kNodeBytes);
         make_room(total);
         if (!in_.is_version_4_0()) {
             in_.size("the smallest tag of a node");
@@ -136,7 +143,7 @@ private:
             dimension = entity;
         const bool parametric = in_.integer("0, or 1 for parametric nodes") != 0;
         const std::size_t position = in_.position();
-        const Index count = in_.count("the number of nodes of a block", 8, in_.is_version_4_0() ? 28 : 32);
+        const Index count = in_.count("the number of nodes of a block", kNodeText, kNodeBytes);
         if (count > points().rows() - next_)
             in_.fail_at(position, "the blocks have more nodes than $Nodes says");
         const std::int64_t parameters = parametric ? std::clamp<std::int64_t>(dimension, 0, 3) : 0;
