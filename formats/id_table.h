@@ -22,6 +22,8 @@ public:
     /// Which one has this id, from 0 in the order of add(); -1: none.
     Index find(Index id) const;
 
+    Index id(Index number) const { return ids_[static_cast<std::size_t>(number)]; }
+    std::size_t position(Index number) const { return positions_[static_cast<std::size_t>(number)]; }
     Index count() const { return static_cast<Index>(ids_.size()); }
 
 private:

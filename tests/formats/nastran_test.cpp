@@ -95,8 +95,8 @@ TEST(Nastran, NamesTheElementsOfSeveralGroups)
     const test::TemporaryFolder folder;
     EXPECT_THAT(write_mesh_data(mesh, folder.file("out.bdf")),
                 ElementsAre(folder.file("out.bdf") +
-                            ": nastran cannot hold 1 element(s) of the group 'all', which "
-                            "are in an earlier group too"));
+                            ": nastran cannot hold 1 element(s) of group 'all', which are in "
+                            "another group too"));
     mesh.groups[1].elements = {1};
     EXPECT_EQ(difference(read_mesh_data(folder.file("out.bdf")), mesh), "");
 }
