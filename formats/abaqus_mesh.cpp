@@ -31,12 +31,15 @@ public:
     MeshData make()
     {
         set_points(volume_.mesh, model_.xyz);
+        model_.xyz = {};
+        model_.nodes = {};
         for (const AbaqusBlock& block : model_.blocks)
             add_block(block);
         for (const AbaqusSets::Set& set : model_.element_sets.sets())
             add_element_set(set);
         for (const AbaqusSurface& surface : model_.surfaces)
             add_surface(surface);
+        add_loose_lines();
         for (const AbaqusSets::Set& set : model_.node_sets.sets())
             add_node_set(set);
         return surface_of(std::move(volume_), input_);
@@ -85,7 +88,9 @@ private:
         ElementGroup group{full_name(set.name), {}};
         Marker marker{group.name, {}};
         std::size_t cells = 0;
+        in_set_.resize(static_cast<std::size_t>(model_.elements.count()));
         for (const Index element : set.members) {
+            in_set_[static_cast<std::size_t>(element)] = true;
             const AbaqusBlock& block = model_.block_of(element);
             const Index* const c = corners(element, block);
             if (block.type.shape == AbaqusShape::line)
@@ -102,6 +107,19 @@ private:
             volume_.mesh.markers.push_back(std::move(marker));
         if (!group.elements.empty() || (set.members.empty() && !set.is_lines))
             volume_.mesh.groups.push_back(std::move(group));
+    }
+
+    /// Lines in no set are one marker.
+    void add_loose_lines()
+    {
+        Marker marker{"lines", {}};
+        in_set_.resize(static_cast<std::size_t>(model_.elements.count()));
+        for (const AbaqusBlock& block : model_.blocks)
+            for (std::size_t i = 0; block.type.shape == AbaqusShape::line && i < block.corners.size(); i += 2)
+                if (!in_set_[static_cast<std::size_t>(block.begin) + i / 2])
+                    marker.edges.push_back({block.corners[i], block.corners[i + 1]});
+        if (!marker.edges.empty())
+            volume_.mesh.markers.push_back(std::move(marker));
     }
 
     void add_surface(const AbaqusSurface& surface)
@@ -161,10 +179,10 @@ private:
     void add_node_set(const AbaqusSets::Set& set)
     {
         const std::string name = full_name(set.name);
-        const bool all = static_cast<Index>(set.members.size()) == model_.nodes.count();
-        if (all || find_marker(volume_.mesh.markers, name) || !volume_.cells.empty())
+        const bool all = static_cast<Eigen::Index>(set.members.size()) == volume_.mesh.points.rows();
+        if (all || find_marker(volume_.mesh.markers, name) || has_group(name) || !volume_.cells.empty())
             return;
-        std::vector<bool> in_set(static_cast<std::size_t>(model_.nodes.count()), false);
+        std::vector<bool> in_set(static_cast<std::size_t>(volume_.mesh.points.rows()), false);
         for (const Index node : set.members)
             in_set[static_cast<std::size_t>(node)] = true;
         Marker marker{name, {}};
@@ -179,6 +197,13 @@ private:
         else
             input_.warn("the set of nodes " + quoted_text(set.name) +
                         " is not made of boundary edges and was left out");
+    }
+
+    bool has_group(const std::string& name) const
+    {
+        const std::vector<ElementGroup>& groups = volume_.mesh.groups;
+        return std::any_of(groups.begin(), groups.end(),
+                           [&](const ElementGroup& group) { return group.name == name; });
     }
 
     /// Edges of one element only, in its direction.
@@ -209,6 +234,7 @@ private:
     TextScanner in_;
     VolumeFile volume_;
     std::vector<Index> first_face_; ///< of each block, the element that its first one is
+    std::vector<bool> in_set_;      ///< for each element of the file
     std::vector<std::array<Index, 2>> boundary_;
 };
 

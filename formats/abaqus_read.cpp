@@ -39,6 +39,7 @@ public:
         number_corners();
         model_.element_sets.resolve(model_.elements, in, "element");
         model_.node_sets.resolve(model_.nodes, in, "node");
+        model_.elements.drop_positions();
         warn();
         return std::move(model_);
     }

@@ -19,6 +19,9 @@ public:
     /// @throws InputError  "path:line: GRID 7 is there again, after line 3"
     void finish(const TextScanner& in, const std::string& what);
 
+    /// Forget what only messages need.
+    void drop_positions() { positions_ = {}; }
+
     /// Which one has this id, from 0 in the order of add(); -1: none.
     Index find(Index id) const;
 

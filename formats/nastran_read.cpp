@@ -65,6 +65,7 @@ public:
                              ": neither BEGIN BULK nor a GRID in it, so this is no Nastran bulk data");
         ids_.finish(cards_.scanner(), "GRID");
         set_points(volume_.mesh, xyz_);
+        xyz_ = {};
         number_corners();
         add_groups();
         add_markers();

@@ -84,7 +84,7 @@ void append_card(OutputFile& out, std::string_view name, const std::array<std::i
 
 void append_point(OutputFile& out, const Points& points, Eigen::Index v)
 {
-    char* to = out.room(6 * kLarge);
+    char* to = out.room(7 * kLarge);
     to = std::copy_n("GRID*   ", kSmall, to);
     to = put_right(to, v + 1, kLarge);
     to = std::fill_n(to, kLarge, ' '); // the basic coordinate system

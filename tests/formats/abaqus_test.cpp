@@ -84,6 +84,29 @@ TEST(Abaqus, HoldsEveryRichMeshBitForBitButForFields)
             << name;
 }
 
+TEST(Abaqus, ReadsWhatMeshioWrote)
+{
+    MeshData expected = test::square_and_triangle(0);
+    expected.markers = {{"lines", {{0, 1}, {1, 4}}}};
+    EXPECT_EQ(difference(read_mesh_data(test::data_path("abaqus/meshio.inp")), expected), "");
+}
+
+TEST(Abaqus, ReadsPhysicalGroupsThatGmshWrote)
+{
+    ReadNotes notes;
+    const MeshData mesh = read_mesh_data(test::data_path("abaqus/gmsh.inp"), "", {}, &notes);
+    EXPECT_THAT(notes.warnings, IsEmpty());
+    EXPECT_EQ(mesh.points.rows(), 12);
+    ASSERT_TRUE(find_marker(mesh.markers, "wall"));
+    EXPECT_THAT(find_marker(mesh.markers, "wall")->edges, ElementsAre(Edge{0, 4}, Edge{4, 1}));
+    ASSERT_TRUE(find_marker(mesh.markers, "far_field"));
+    EXPECT_EQ(find_marker(mesh.markers, "far_field")->edges.size(), 6U);
+    EXPECT_EQ(mesh.markers.size(), 6U) << "four lines beside the two groups";
+    ASSERT_EQ(mesh.groups.size(), 2U);
+    EXPECT_EQ(mesh.groups[1].name, "domain");
+    EXPECT_EQ(mesh.groups[1].elements.size(), 14U);
+}
+
 TEST(Abaqus, HoldsGroupsThatShareElementsAndNames)
 {
     MeshData mesh = test::uneven_square(3);
@@ -243,6 +266,12 @@ TEST(Abaqus, SaysWhatIsWrongAndWhere)
     EXPECT_EQ(refusal("", "abaqus"), "file: no keyword such as *NODE in it, so this is no Abaqus input file");
     EXPECT_EQ(refusal("no mesh\n", "abaqus"),
               "file: no keyword such as *NODE in it, so this is no Abaqus input file");
+}
+
+TEST(Abaqus, HoldsAMeshOfManyTimesTheBufferOfTheFile)
+{
+    const MeshData mesh = test::uneven_square(250);
+    EXPECT_EQ(difference(read_bytes(written(mesh, "abaqus"), "abaqus"), mesh), "");
 }
 
 TEST(Abaqus, SurvivesMutatedFiles)

@@ -29,7 +29,7 @@ const std::string kSmall = "CEND\n"                                             
                            "BEGIN BULK\n"                                                               // 2
                            "$ ungrouped 1\n"                                                            // 3
                            "$ group 2 wing\n"                                                           // 4
-                           "$ marker 3 wall below\n"                                                  // 5
+                           "$ marker 3 wall below\n"                                                    // 5
                            "GRID*                  1                              0.              0.\n" // 6
                            "*                     0.\n"                                                 // 7
                            "GRID*                  2                              1.              0.\n" // 8
@@ -85,6 +85,29 @@ TEST(Nastran, HoldsEveryRichMeshBitForBitButForFields)
     for (const auto& [name, mesh] : test::rich_meshes())
         EXPECT_EQ(difference(without_fields(mesh), read_bytes(written(mesh, "nastran"), "nastran")), "")
             << name;
+}
+
+TEST(Nastran, ReadsWhatMeshioWrote)
+{
+    MeshData expected = test::square_and_triangle(0);
+    expected.markers = {{"CBAR", {{0, 1}, {1, 4}}}};
+    EXPECT_EQ(difference(read_mesh_data(test::data_path("nastran/meshio.bdf")), expected), "");
+}
+
+TEST(Nastran, ReadsTheSameMeshFromEveryFieldFormatOfGmsh)
+{
+    constexpr double small_field = 1e-6; // eight columns hold six digits behind the point
+    const MeshData large = read_mesh_data(test::data_path("nastran/gmsh_large.bdf"));
+    EXPECT_EQ(large.elements.size(), 14U);
+    ASSERT_EQ(large.markers.size(), 4U);
+    for (const Marker& marker : large.markers)
+        EXPECT_EQ(marker.edges.size(), 2U);
+    for (const char* other : {"nastran/gmsh_small.bdf", "nastran/gmsh_free.bdf"}) {
+        const MeshData mesh = read_mesh_data(test::data_path(other));
+        ASSERT_EQ(mesh.points.rows(), large.points.rows());
+        EXPECT_LE((mesh.points - large.points).norm(), small_field * std::sqrt(12.0)) << other;
+        EXPECT_EQ(mesh.elements, large.elements);
+    }
 }
 
 TEST(Nastran, NamesTheElementsOfSeveralGroups)
@@ -274,6 +297,12 @@ TEST(Nastran, FindsIdsThatAreFarApart)
     EXPECT_EQ(refusal(text + "GRID,900\n", "nastran"), "file:5: GRID 900 is there again, after line 3");
     EXPECT_EQ(refusal(text + "CTRIA3,2,1,7,900,8\n", "nastran"),
               "file:5: the element names grid point 8, but there is none of this id");
+}
+
+TEST(Nastran, HoldsAMeshOfManyTimesTheBufferOfTheFile)
+{
+    const MeshData mesh = test::uneven_square(250);
+    EXPECT_EQ(difference(read_bytes(written(mesh, "nastran"), "nastran"), mesh), "");
 }
 
 TEST(Nastran, SurvivesMutatedFiles)

@@ -96,6 +96,19 @@ TEST(Tecplot, HoldsEveryRichMeshBitForBit)
         EXPECT_EQ(difference(mesh, read_bytes(written(mesh, "tecplot"), "tecplot")), "") << name;
 }
 
+TEST(Tecplot, ReadsWhatMeshioWrote)
+{
+    const MeshData mesh = read_mesh_data(test::data_path("tecplot/meshio.dat"));
+    MeshData expected = test::square_and_triangle(0);
+    Matrix p(5, 1);
+    for (Index v = 0; v < 5; ++v)
+        p(v, 0) = v / 3.0;
+    Matrix c(2, 1);
+    c << 7, 8;
+    expected.fields = {{"p", FieldLocation::vertex, p}, {"c", FieldLocation::element, c}};
+    EXPECT_EQ(difference(mesh, expected), "");
+}
+
 TEST(Tecplot, HoldsGroupsAsZonesOrAsLists)
 {
     MeshData runs = small_mesh();
@@ -316,6 +329,12 @@ TEST(Tecplot, NamesVariablesThatChangeTheirPlace)
     EXPECT_EQ(refusal(kBlocks + "ZONE I=2 J=2 F=BLOCK VARLOCATION=([3]=CELLCENTERED)\n5 6 5 6 0 0 1 1 3\n",
                       "tecplot"),
               "file: 'T' is at nodes in zone 1, but not in zone 5");
+}
+
+TEST(Tecplot, HoldsAMeshOfManyTimesTheBufferOfTheFile)
+{
+    const MeshData mesh = test::uneven_square(250);
+    EXPECT_EQ(difference(read_bytes(written(mesh, "tecplot"), "tecplot"), mesh), "");
 }
 
 TEST(Tecplot, SurvivesMutatedFiles)
