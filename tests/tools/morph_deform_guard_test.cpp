@@ -105,6 +105,24 @@ TEST(Guard, DoesNotTryToRepairAMeshWhoseBoundaryCrossesItself)
     EXPECT_FALSE(report.contains("untangle"));
 }
 
+TEST(Guard, SaysThatABodyIsInsideOut)
+{
+    // No curve: the lattice turns its box upside down, a symmetric airfoil with it.
+    const TemporaryFolder folder;
+    const std::string text = "[mesh]\nfile = \"" + test::example_path("naca0012_inv.su2") +
+                             "\"\n[lattice]\npoints = [2, 2]\ndegree = [1, 1]\nbox = [-0.5, -0.5, 1.5, 0.5]\n"
+                             "displacements = [[0, 0, 0, 1], [1, 0, 0, 1], [0, 1, 0, -1], [1, 1, 0, -1]]\n"
+                             "[deform]\nmethod = \"ffd\"\nguard = \"untangle\"\n";
+    const auto result = run_tool("morph-deform", {folder.write("case.toml", text), "-o", folder.file("m.su2"),
+                                                  "--json", folder.file("r.json")});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.errors,
+                HasSubstr("the moved boundary 'airfoil' is turned inside out: no valid mesh exists"));
+    const auto report = nlohmann::json::parse(test::read_text(folder.file("r.json")));
+    EXPECT_EQ(report["boundary_crossings"].size(), 1U);
+    EXPECT_FALSE(report.contains("untangle"));
+}
+
 /// The unit square whose top is a curve that moves.
 class MovedSide : public ::testing::Test {
 protected:

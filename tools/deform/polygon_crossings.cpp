@@ -1,6 +1,7 @@
 #include "tools/deform/polygon_crossings.h"
 
 #include "libmorph/geometry/edge_crossing.h"
+#include "libmorph/geometry/misplaced_loop.h"
 #include "tools/common/report.h"
 
 #include <algorithm>
@@ -40,13 +41,50 @@ std::string name_of(const Mesh& mesh, const Edge& edge)
     return "the moved boundary";
 }
 
+/// The vertices of each boundary polygon, the mesh on its left.
+std::vector<std::vector<Index>> boundary_loops(const Mesh& mesh)
+{
+    const Kernel& kernel = mesh.kernel;
+    std::vector<std::vector<Index>> loops;
+    std::vector<bool> seen(kernel.n_halfedges());
+    for (const auto first : kernel.halfedges()) {
+        if (!kernel.is_boundary(first) || seen[static_cast<std::size_t>(first.idx())])
+            continue;
+        std::vector<Index>& loop = loops.emplace_back();
+        for (auto half = Kernel::HalfedgeHandle(first); !seen[static_cast<std::size_t>(half.idx())];
+             half = kernel.next_halfedge_handle(half)) {
+            seen[static_cast<std::size_t>(half.idx())] = true;
+            loop.push_back(kernel.to_vertex_handle(half).idx());
+        }
+        std::reverse(loop.begin(), loop.end()); // a halfedge of the boundary has the mesh on its right
+    }
+    return loops;
+}
+
+std::vector<std::string> misplaced_loops(const Mesh& moved, const PositionsView& before)
+{
+    const auto loops = boundary_loops(moved);
+    const auto found = find_misplaced_loop(points(moved), loops);
+    if (!found || find_misplaced_loop(before, loops))
+        return {};
+    const std::vector<Index>& loop = loops[*found];
+    const std::vector<Index> first = first_copies(moved.numbering);
+    const auto [a, b] =
+        std::minmax(first[static_cast<std::size_t>(loop[0])], first[static_cast<std::size_t>(loop[1])]);
+    return {name_of(moved, {a, b}) + (loop_orientation(points(moved), loop) == loop_orientation(before, loop)
+                                          ? " has left the domain or lies inside another boundary"
+                                          : " is turned inside out")};
+}
+
 } // namespace
 
 std::vector<std::string> polygon_crossings(const Mesh& moved, const PositionsView& before)
 {
     const std::vector<Edge> edges = boundary_edges(moved);
     const auto crossing = find_edge_crossing(points(moved), edges);
-    if (!crossing || find_edge_crossing(before, edges))
+    if (!crossing)
+        return misplaced_loops(moved, before);
+    if (find_edge_crossing(before, edges))
         return {};
     const Edge& one = edges[static_cast<std::size_t>(crossing->edges[0])];
     const Edge& other = edges[static_cast<std::size_t>(crossing->edges[1])];
