@@ -1,6 +1,7 @@
 #include "libmorph/deform/repair.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/deform/repair_in_steps.h"
 #include "libmorph/weights/biharmonic.h"
 
 #include <optional>
@@ -8,8 +9,6 @@
 namespace morph {
 
 namespace {
-
-using Edge = std::array<Index, 2>;
 
 /// All that is held: the boundary and the markers.
 HeldBoundary held_boundary(const Mesh& mesh)
@@ -31,47 +30,87 @@ HeldBoundary held_boundary(const Mesh& mesh)
     return boundary;
 }
 
-/// The mesh with the boundary's move carried in anew; none where that cannot be.
-std::optional<Points> carried_anew(const Mesh& mesh, const PositionsView& before, const HeldBoundary& held)
+/// A mesh before and after its move.
+struct Move {
+    Mesh start; ///< the mesh before
+    HeldBoundary held;
+    Matrix displacement; ///< of the held vertices
+    Points moved;        ///< all vertices as they were moved
+};
+
+Move move_of(const Mesh& mesh, const PositionsView& before)
 {
-    Mesh start = mesh;
-    points(start) = before;
-    Points2 displacement(static_cast<Index>(held.vertices.size()), 2);
-    for (std::size_t i = 0; i < held.vertices.size(); ++i)
-        displacement.row(static_cast<Index>(i)) =
-            (points(mesh).row(held.vertices[i]) - before.row(held.vertices[i])).head<2>();
+    Move move{mesh, held_boundary(mesh), {}, points(mesh)};
+    points(move.start) = before;
+    move.displacement.resize(static_cast<Index>(move.held.vertices.size()), 2);
+    for (std::size_t i = 0; i < move.held.vertices.size(); ++i)
+        move.displacement.row(static_cast<Index>(i)) =
+            (move.moved.row(move.held.vertices[i]) - before.row(move.held.vertices[i])).head<2>();
+    return move;
+}
+
+/// Where a search for a valid mesh starts. @p work is added to.
+using Start = Points (*)(const Move& move, UntangleResult& work);
+
+Points as_it_was_moved(const Move& move, UntangleResult& /*work*/)
+{
+    return move.moved;
+}
+
+Points by_biharmonic_functions(const Move& move, UntangleResult& /*work*/)
+{
+    Points positions = points(move.start);
+    positions.leftCols<2>() += conformal_biharmonic_spread(move.start, move.held)->spread(move.displacement);
+    return positions;
+}
+
+Points in_steps(const Move& move, UntangleResult& work)
+{
+    return repair_in_steps(move.start, move.held, move.displacement, work);
+}
+
+/// What costs least first.
+constexpr Start kStarts[] = {as_it_was_moved, by_biharmonic_functions, in_steps};
+
+/// None where this start needs what the mesh before the move has not got, such as valid elements.
+std::optional<Points> positions_of(Start start, const Move& move, UntangleResult& work)
+{
     try {
-        points(start).leftCols<2>() += conformal_biharmonic_spread(start, held)->spread(displacement);
-    } catch (const InputError&) { // inverted before the move already
+        Points positions = start(move, work);
+        for (const Index v : move.held.vertices)
+            positions.row(v) = move.moved.row(v);
+        return positions;
+    } catch (const InputError&) {
         return std::nullopt;
     } catch (const SolverError&) {
         return std::nullopt;
     }
-    for (const Index v : held.vertices)
-        points(start).row(v) = points(mesh).row(v);
-    return points(start);
 }
 
 } // namespace
 
 UntangleResult repair(Mesh& mesh, const PositionsView& before)
 {
-    const HeldBoundary held = held_boundary(mesh);
-    std::optional<Points> second;
-    Points first = points(mesh);
-    UntangleResult result = untangle(mesh, before, held.vertices, first);
-    if (!result.valid && result.hopeless.empty())
-        second = carried_anew(mesh, before, held);
-    points(mesh) = first;
-    if (!second)
-        return result;
-    UntangleResult again = untangle(mesh, before, held.vertices, *second);
-    again.patch_vertices += result.patch_vertices;
-    again.iterations += result.iterations;
-    if (again.inverted.size() >= result.inverted.size())
-        return result;
-    points(mesh) = *second;
-    return again;
+    const Move move = move_of(mesh, before);
+    std::optional<UntangleResult> best;
+    UntangleResult work;
+    for (const Start start : kStarts) {
+        std::optional<Points> positions = positions_of(start, move, work);
+        if (!positions)
+            continue;
+        UntangleResult end = untangle(mesh, before, move.held.vertices, *positions);
+        work.patch_vertices += end.patch_vertices;
+        work.iterations += end.iterations;
+        if (!best || end.inverted.size() < best->inverted.size()) {
+            points(mesh) = *positions;
+            best = std::move(end);
+        }
+        if (best->valid || !best->hopeless.empty())
+            break;
+    }
+    best->patch_vertices = work.patch_vertices;
+    best->iterations = work.iterations;
+    return *best;
 }
 
 } // namespace morph

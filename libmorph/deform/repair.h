@@ -9,12 +9,13 @@ namespace morph {
 /// held where the move put it.
 ///
 /// Whether the search ends in a valid mesh depends on where it starts. Where it does not from the mesh as it
-/// was moved, and nothing proves that there is none, it starts once more from the boundary's move carried
-/// into the mesh by conformal_biharmonic_spread(), and the better end counts.
+/// was moved, and nothing proves that there is none, it starts again from the boundary's move carried into
+/// the mesh by conformal_biharmonic_spread(), and then from what repair_in_steps() comes to; the best end
+/// counts.
 ///
 /// @param mesh    planar, moved; repaired in place
 /// @param before  n x 3: the shape that elements aim for
-/// @return elements in the numbering of the mesh; vertices and iterations of both searches together
+/// @return elements in the numbering of the mesh; vertices and iterations of all searches together
 /// @throws InputError  as untangle()
 UntangleResult repair(Mesh& mesh, const PositionsView& before);
 

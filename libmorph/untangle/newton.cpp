@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLeastEps = 1e-9; // corners of at least so much of their target's area feel no eps
 constexpr double kLeastFall = 0.3; // by which eps falls when the energy does not
+constexpr double kVain = 1e-5;     // eps at which a corner that is not positive yet will hardly become it
 constexpr double kStuck = 0.2; // part of the worst determinant that eps shrinks to where a patch is too small
 constexpr double kLeastStep = 1e-9; // part of a Newton step
 constexpr double kArmijo = 1e-4;    // part of the promised fall that a step must bring
@@ -110,7 +111,7 @@ public:
         positive_ = positive_ || least_ > 0;
         if (eps_ == kLeastEps && fall < kSettled)
             return false;
-        if (least_ < 0 && eps_ < kStuck * -least_)
+        if (least_ < 0 && (eps_ < kStuck * -least_ || eps_ < kVain))
             return false;
         eps_ = next_eps(eps_, least_, fall, taken_);
         return true;

@@ -74,7 +74,7 @@ public:
         give_up(result.hopeless);
         const std::vector<Index> first = mendable(result);
         int rings = grow_patches(result);
-        if (!mendable(result).empty())
+        if (options_.fresh_start && !mendable(result).empty())
             rings = start_afresh(result);
         spread(find_patches(stars_, held_, first, rings), result);
     }

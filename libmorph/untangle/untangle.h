@@ -8,10 +8,11 @@ namespace morph {
 
 /// How untangle() works.
 struct UntangleOptions {
-    double size = 2;       ///< weight of keeping an element's area against keeping its shape
-    double exponent = 1.3; ///< of an element's energy: larger ones favour the worst elements over the mean
-    int rings = 8;         ///< of elements around an inverted one that move with it
-    int iterations = 200;  ///< at most, for each patch
+    double size = 2;         ///< weight of keeping an element's area against keeping its shape
+    double exponent = 1.3;   ///< of an element's energy: larger ones favour the worst elements over the mean
+    int rings = 8;           ///< of elements around an inverted one that move with it
+    int iterations = 200;    ///< at most, for each patch
+    bool fresh_start = true; ///< where patches fail: also from the held vertices' move carried in anew
 };
 
 /// What untangle() came to.

@@ -2,6 +2,7 @@
 
 #include "libmorph/geometry/edge_crossing.h"
 #include "libmorph/geometry/misplaced_loop.h"
+#include "libmorph/mesh/boundary_loops.h"
 #include "tools/common/report.h"
 
 #include <algorithm>
@@ -39,26 +40,6 @@ std::string name_of(const Mesh& mesh, const Edge& edge)
                 std::minmax(edge[0], edge[1]))
                 return "the moved boundary '" + marker.name + "'";
     return "the moved boundary";
-}
-
-/// The vertices of each boundary polygon, the mesh on its left.
-std::vector<std::vector<Index>> boundary_loops(const Mesh& mesh)
-{
-    const Kernel& kernel = mesh.kernel;
-    std::vector<std::vector<Index>> loops;
-    std::vector<bool> seen(kernel.n_halfedges());
-    for (const auto first : kernel.halfedges()) {
-        if (!kernel.is_boundary(first) || seen[static_cast<std::size_t>(first.idx())])
-            continue;
-        std::vector<Index>& loop = loops.emplace_back();
-        for (auto half = Kernel::HalfedgeHandle(first); !seen[static_cast<std::size_t>(half.idx())];
-             half = kernel.next_halfedge_handle(half)) {
-            seen[static_cast<std::size_t>(half.idx())] = true;
-            loop.push_back(kernel.to_vertex_handle(half).idx());
-        }
-        std::reverse(loop.begin(), loop.end()); // a halfedge of the boundary has the mesh on its right
-    }
-    return loops;
 }
 
 std::vector<std::string> misplaced_loops(const Mesh& moved, const PositionsView& before)

@@ -362,6 +362,25 @@ TEST(Untangle, KeepsTheCopiesOfASplitVertexTogether)
     expect_held(copies, before, same);
 }
 
+TEST(Untangle, GivesUpSoonerWithoutAFreshStart)
+{
+    // The hole has left the domain: there is no valid mesh to find.
+    const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 30));
+    const auto held = boundary_vertices(mesh);
+    Points moved = points(mesh);
+    for (const Index v : held)
+        if (moved.row(v).norm() < 1)
+            moved(v, 0) += 8;
+    Points with = moved, without = moved;
+    UntangleOptions options;
+    const UntangleResult more = untangle(mesh, points(mesh), held, with, options);
+    options.fresh_start = false;
+    const UntangleResult less = untangle(mesh, points(mesh), held, without, options);
+    EXPECT_FALSE(more.valid);
+    EXPECT_FALSE(less.valid);
+    EXPECT_LT(less.iterations, more.iterations / 2);
+}
+
 TEST(Untangle, IsTheSameForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_square(50));
