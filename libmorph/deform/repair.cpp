@@ -94,11 +94,13 @@ UntangleResult repair(Mesh& mesh, const PositionsView& before)
     const Move move = move_of(mesh, before);
     std::optional<UntangleResult> best;
     UntangleResult work;
+    UntangleOptions options;
     for (const Start start : kStarts) {
         std::optional<Points> positions = positions_of(start, move, work);
         if (!positions)
             continue;
-        UntangleResult end = untangle(mesh, before, move.held.vertices, *positions);
+        UntangleResult end = untangle(mesh, before, move.held.vertices, *positions, options);
+        options.fresh_start = false; // would be the same once more
         work.patch_vertices += end.patch_vertices;
         work.iterations += end.iterations;
         if (!best || end.inverted.size() < best->inverted.size()) {

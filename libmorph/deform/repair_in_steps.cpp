@@ -83,9 +83,9 @@ private:
 
     static std::vector<std::complex<double>> corners(const Points2& places, const std::vector<Index>& rows)
     {
-        std::vector<std::complex<double>> list;
-        for (const Index i : rows)
-            list.emplace_back(places(i, 0), places(i, 1));
+        std::vector<std::complex<double>> list(rows.size());
+        std::transform(rows.begin(), rows.end(), list.begin(),
+                       [&](Index i) { return std::complex<double>(places(i, 0), places(i, 1)); });
         return list;
     }
 

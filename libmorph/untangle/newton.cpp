@@ -1,6 +1,7 @@
 #include "libmorph/untangle/newton.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/numerics/conjugate_gradients.h"
 #include "libmorph/numerics/sparse_cholesky.h"
 #include "libmorph/untangle/patch_energy.h"
 
@@ -19,6 +20,7 @@ constexpr double kStuck = 0.2; // part of the worst determinant that eps shrinks
 constexpr double kLeastStep = 1e-9; // part of a Newton step
 constexpr double kArmijo = 1e-4;    // part of the promised fall that a step must bring
 constexpr double kSettled = 1e-4;   // relative fall of the energy below which a step is the last
+constexpr Index kDirect = 20'000;   // vertices above which a factor of the whole patch takes too much memory
 constexpr double kShift = 1e-9;     // on the diagonal: a patch that nothing holds may turn
 
 Points2 places_of_unknowns(const Patch& patch, const PlanePositions& x)
@@ -59,23 +61,44 @@ struct Direction {
     double slope = 0;
 };
 
-/// Corners of very different energies can leave a matrix that is indefinite by rounding: more on the diagonal
-/// mends it. Nothing where even that does not help.
-std::optional<Direction> newton_direction(PatchEnergy::Model& model, const Dissection& dissection)
-{
-    for (double shift = kShift; shift < 1; shift *= 100) {
-        for (double& entry : model.second.diagonal)
-            entry *= 1 + shift;
-        try {
-            Matrix solution = descent(model.gradient);
-            SparseCholesky(model.second, dissection).solve(solution);
-            return Direction(model.gradient, solution);
-        } catch (const SolverError&) {
-            continue;
+/// Solves for Newton steps: directly, or by iteration where a patch is large.
+class StepSolver {
+public:
+    explicit StepSolver(const Patch& patch) : patch_(patch) {}
+
+    /// Corners of very different energies can leave a matrix that is indefinite by rounding: more on the
+    /// diagonal mends it. Nothing where even that does not help.
+    std::optional<Direction> direction(PatchEnergy::Model& model, const PlanePositions& x)
+    {
+        for (double shift = kShift; shift < 1; shift *= 100) {
+            for (double& entry : model.second.diagonal)
+                entry *= 1 + shift;
+            try {
+                Matrix solution = descent(model.gradient);
+                solve(model.second, x, solution);
+                return Direction(model.gradient, solution);
+            } catch (const SolverError&) {
+                continue;
+            }
         }
+        return std::nullopt;
     }
-    return std::nullopt;
-}
+
+private:
+    void solve(const SymmetricMatrix& A, const PlanePositions& x, Matrix& solution)
+    {
+        if (patch_.free > kDirect) {
+            conjugate_gradients(A, places_of_unknowns(patch_, x), {}, solution);
+            return;
+        }
+        if (dissection_.order.empty())
+            dissection_ = nested_dissection(A, places_of_unknowns(patch_, x));
+        SparseCholesky(A, dissection_).solve(solution);
+    }
+
+    const Patch& patch_;
+    Dissection dissection_; // the same for all steps
+};
 
 /// The paper's rule: eps shrinks as fast as the energy has fallen, or faster where a large part of a Newton
 /// step could be taken; it is gone once no corner needs it.
@@ -89,7 +112,7 @@ double next_eps(double eps, double least, double fall, double step)
 class Minimizer {
 public:
     Minimizer(const Patch& patch, const EnergyWeights& weights, PlanePositions& x)
-        : patch_(patch), energy_(patch, weights), x_(x), trial_(x)
+        : energy_(patch, weights), solver_(patch), x_(x), trial_(x)
     {
         least_ = energy_.value(x, 1).min_determinant;
         positive_ = least_ > 0;
@@ -102,9 +125,7 @@ public:
     bool step()
     {
         PatchEnergy::Model model = energy_.model(x_, eps_);
-        if (dissection_.order.empty())
-            dissection_ = nested_dissection(model.second, places_of_unknowns(patch_, x_));
-        const std::optional<Direction> direction = newton_direction(model, dissection_);
+        const std::optional<Direction> direction = solver_.direction(model, x_);
         if (!direction)
             return false;
         const double fall = search(*direction);
@@ -138,11 +159,10 @@ private:
         return 0;
     }
 
-    const Patch& patch_;
     PatchEnergy energy_;
+    StepSolver solver_;
     PlanePositions& x_;
     PlanePositions trial_;
-    Dissection dissection_;
     double eps_ = 0;
     double taken_ = 0; // part of the last Newton step
     double least_ = 0; // determinant of all corners, as in PatchEnergy::Value

@@ -35,14 +35,14 @@ Curve airfoil_curve()
     return Curve(definition);
 }
 
-/// The mesh around the airfoil, that turns by 10 degrees and moves by 0.03.
+/// The mesh around the airfoil, that turns by some degrees and moves by 0.03.
 struct Airfoil {
-    explicit Airfoil(Index vertices) : mesh(made(vertices)), moved(points(mesh))
+    explicit Airfoil(Index vertices, double degrees = 10) : mesh(made(vertices)), moved(points(mesh))
     {
         for (const Marker& m : mesh.markers)
             for (const Index v : marker_vertices(m))
                 held.push_back(v);
-        const Eigen::Rotation2D<double> turn(10 * std::numbers::pi / 180);
+        const Eigen::Rotation2D<double> turn(degrees * std::numbers::pi / 180);
         const Eigen::Vector2d centre(0.5, 0);
         for (const Index v : marker_vertices(marker(mesh, "airfoil"))) {
             const Eigen::Vector2d from = moved.row(v).head<2>().transpose() - centre;
@@ -131,22 +131,31 @@ void BM_UntangleInteriorLeftBehind(benchmark::State& state)
 }
 BENCHMARK(BM_UntangleInteriorLeftBehind)->Apply(sizes);
 
-/// Every vertex inside is thrown to a random place within 0.47 edges, in x and in y: 3 % of the triangles are
-/// inverted.
+/// A quarter turn in one step: the whole mesh becomes one patch.
+void BM_UntangleQuarterTurn(benchmark::State& state)
+{
+    const Airfoil airfoil(static_cast<Index>(state.range(0)), 90);
+    measure(state, airfoil.mesh, airfoil.held, airfoil.after_harmonic());
+}
+BENCHMARK(BM_UntangleQuarterTurn)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Every vertex inside is thrown to a random place within 0.6 edges of its own.
 void BM_UntangleNoise(benchmark::State& state)
 {
     const Mesh mesh = build_mesh(triangulated_square(static_cast<Index>(state.range(0)), Order::shuffled));
     Points x = points(mesh);
     std::vector<Index> held;
     std::mt19937 random(1);
-    const double size = 0.47 / std::sqrt(static_cast<double>(state.range(0)));
-    std::uniform_real_distribution<double> uniform(-size, size);
-    for (const VertexHandle v : mesh.kernel.vertices())
-        if (mesh.kernel.is_boundary(v))
+    const double size = 0.6 / std::sqrt(static_cast<double>(state.range(0)));
+    std::uniform_real_distribution<double> part(0, 1);
+    for (const VertexHandle v : mesh.kernel.vertices()) {
+        if (mesh.kernel.is_boundary(v)) {
             held.push_back(v.idx());
-        else
-            for (const Index c : {0, 1})
-                x(v.idx(), c) += uniform(random);
+            continue;
+        }
+        const double length = size * std::sqrt(part(random)), angle = 2 * std::numbers::pi * part(random);
+        x.row(v.idx()).head<2>() += length * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    }
     measure(state, mesh, held, x);
 }
 BENCHMARK(BM_UntangleNoise)->Apply(sizes);
