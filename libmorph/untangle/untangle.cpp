@@ -76,7 +76,8 @@ public:
         int rings = grow_patches(result);
         if (options_.fresh_start && !mendable(result).empty())
             rings = start_afresh(result);
-        spread(find_patches(stars_, held_, first, rings), result);
+        if (mendable(result).empty())
+            spread(find_patches(stars_, held_, first, rings), result);
     }
 
     void certify(UntangleResult& result) const

@@ -63,6 +63,26 @@ TEST(Repair, HoldsMarkersInsideTheMesh)
         EXPECT_EQ(points(mesh).row(v), points(start).row(v));
 }
 
+TEST(Repair, EndsWithTheBestOfItsStartsWhereNoValidMeshExists)
+{
+    // The hole has left the domain.
+    const Mesh start = build_mesh(test::uneven_annulus(0.5, 3, 30));
+    const HeldBoundary held = held_boundary(start, {"inner"});
+    const Matrix D =
+        boundary_displacement(start, held, [](double, double) { return Eigen::RowVector2d(8, 0); });
+    Mesh mesh = left_behind(start, held, D);
+    Points alone = points(mesh);
+    const UntangleResult first = untangle(mesh, points(start), held.vertices, alone);
+    const UntangleResult result = repair(mesh, points(start));
+    EXPECT_FALSE(result.valid);
+    EXPECT_EQ(result.inverted, inverted_elements(mesh, points(mesh)));
+    EXPECT_LE(result.inverted.size(), first.inverted.size());
+    EXPECT_GT(result.iterations, first.iterations); // the other starts were tried
+    for (std::size_t i = 0; i < held.vertices.size(); ++i)
+        ASSERT_EQ(points(mesh).row(held.vertices[i]).head<2>(),
+                  points(start).row(held.vertices[i]).head<2>() + D.row(static_cast<Index>(i)));
+}
+
 TEST(Repair, LeavesAValidMeshAsItIs)
 {
     const Mesh start = build_mesh(test::uneven_square(8));
