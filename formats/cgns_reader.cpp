@@ -99,7 +99,19 @@ private:
             read_cgns_sections(file_, zone);
         read_cgns_boundaries(file_, zone);
         read_cgns_solutions(file_, zone);
+        warn_of_interfaces(zone);
         return zone;
+    }
+
+    void warn_of_interfaces(const CgnsZone& zone) const
+    {
+        int matching = 0;
+        int others = 0;
+        file_.require(cg_n1to1(file_.number(), base_, zone.number, &matching), zone.title());
+        file_.require(cg_nconns(file_.number(), base_, zone.number, &others), zone.title());
+        if (matching + others > 0)
+            file_.input().warn(zone.title() + " has " + std::to_string(matching + others) +
+                               " interface(s), at which vertices of both sides are kept");
     }
 
     CgnsZone head(int number) const

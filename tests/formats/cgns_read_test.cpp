@@ -294,6 +294,21 @@ TEST(CgnsReader, JoinsZonesOrTakesOne)
     }
 }
 
+TEST(CgnsReader, WarnsOfInterfacesThatStayOpen)
+{
+    CgnsBuilder file = grid(); // its left side is its right side
+    const std::array<cgsize_t, 4> left{1, 1, 1, 3};
+    const std::array<cgsize_t, 4> right{4, 1, 4, 3};
+    const std::array<int, 2> transform{1, 2};
+    int number = 0;
+    ASSERT_EQ(cg_1to1_write(file.file(), 1, 1, "seam", "block", left.data(), right.data(), transform.data(),
+                            &number),
+              CG_OK);
+    EXPECT_THAT(
+        read(file.bytes()).notes.warnings,
+        ElementsAre("file: zone 'block' has 1 interface(s), at which vertices of both sides are kept"));
+}
+
 TEST(CgnsReader, RefusesWhatIsNoMeshOfTrianglesAndQuads)
 {
     const auto of_section = [](int type, const std::vector<int>& corners) {
