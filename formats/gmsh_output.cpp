@@ -1,8 +1,8 @@
 #include "formats/gmsh_output.h"
 
 #include "formats/gmsh_names.h"
-#include "formats/vtk_output.h"
 #include "formats/vtk_legacy.h"
+#include "formats/vtk_output.h"
 
 #include <numeric>
 
