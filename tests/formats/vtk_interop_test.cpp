@@ -117,6 +117,20 @@ TEST(VtkInterop, MarkersSurviveAPassThroughVtk)
     EXPECT_EQ(ascii.elements, expected.elements);
 }
 
+TEST(VtkInterop, GroupsSurviveAPassThroughVtk)
+{
+    for (const char* name : {"groups.vtu", "groups.vtp", "groups.vtk"}) {
+        const MeshData mesh = read_mesh_data(file(name));
+        ASSERT_EQ(mesh.groups.size(), 3U) << name;
+        EXPECT_EQ(mesh.groups[0].name, "low left") << name;
+        EXPECT_EQ(mesh.groups[0].elements, (std::vector<Index>{0})) << name;
+        EXPECT_EQ(mesh.groups[1].elements, (std::vector<Index>{1})) << name;
+        EXPECT_EQ(mesh.groups[2].name, "all") << name;
+        EXPECT_EQ(mesh.groups[2].elements, (std::vector<Index>{0, 1})) << name;
+        EXPECT_TRUE(mesh.fields.empty()) << name;
+    }
+}
+
 TEST(VtkInterop, PolyDataIsASurface)
 {
     constexpr double digits = 2e-6; // the ASCII file has 6 significant digits

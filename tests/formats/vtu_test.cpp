@@ -214,6 +214,30 @@ TEST(Vtu, RefusesBrokenCompressedData)
     EXPECT_THAT(with(64, "////"), HasSubstr("does not hold"));  // in the first block itself
 }
 
+TEST(Vtu, RefusesBrokenLz4Data)
+{
+    const std::string vtu = test::read_text(test::data_path("vtk/raw_lz4.vtu"));
+    ASSERT_EQ(refusal(vtu, "vtu"), "accepted");
+    std::string broken = vtu;
+    const std::size_t data = vtu.find('_', vtu.find("<AppendedData")) + 1;
+    const std::size_t first_block = data + (3 + 2) * 8; // 12 doubles make 2 blocks of 64 bytes
+    broken.replace(first_block, 4, "\xff\xff\xff\xff");
+    EXPECT_THAT(refusal(broken, "vtu"), HasSubstr("compressed block 0 that does not hold 64 bytes"));
+}
+
+TEST(Vtu, CompressesArraysThatFillTheirBlocks)
+{
+    MeshData mesh;
+    mesh.points = Points::Zero(8192, 3); // three times the 64 KiB of a block
+    Matrix values(8192, 1);
+    for (Index i = 0; i < 8192; ++i)
+        values(i, 0) = std::sqrt(i);
+    mesh.fields = {{"root", FieldLocation::vertex, values}};
+    const std::string vtu = written(mesh, "vtu", {.binary = true, .compress = true});
+    EXPECT_EQ(difference(mesh, read_bytes(vtu, "vtu")), "");
+    EXPECT_LT(vtu.size(), 80000U) << "points take next to nothing, the roots no more than their 65,536 bytes";
+}
+
 } // namespace
 
 } // namespace morph
