@@ -131,8 +131,8 @@ void write_su2(const MeshData& data, const WriteOptions&, OutputFile& out)
     append_count(out, "NDIME", static_cast<std::size_t>(data.dimension));
     append_elements(data, out);
     append_points(data, out);
+    append_su2_groups(data.groups, out); // SU2 wants nothing between NMARK and the markers
     append_markers(data, out);
-    append_su2_groups(data.groups, out);
     append_carried(data, out);
 }
 

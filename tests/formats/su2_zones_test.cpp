@@ -201,6 +201,17 @@ TEST(Su2Groups, StandInCommentsAndComeBackExactly)
     }
 }
 
+TEST(Su2Groups, StandWhereSu2DoesNotLookForMarkers)
+{
+    MeshData mesh = test::with_groups(test::bare(test::quad_square(1)));
+    mesh.markers = {{"a", {{0, 1}}}};
+    mesh.carried = {
+        {"su2", "1 SEND_RECEIVE marker(s)", "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 0\nSEND_RECV= 1\n"}};
+    const std::string text = written(mesh, "su2");
+    const std::string behind = text.substr(text.find("NMARK="));
+    EXPECT_EQ(behind, "NMARK= 2\nMARKER_TAG= a\nMARKER_ELEMS= 1\n3\t0\t1\n" + mesh.carried[0].text);
+}
+
 TEST(Su2Groups, OfALargeMeshRunOnOverManyLines)
 {
     const MeshData mesh = test::with_groups(test::bare(test::uneven_square(20)));
@@ -212,20 +223,20 @@ TEST(Su2Groups, FaultsAreNamedWithTheirLine)
     const std::string mesh = written(test::with_groups(test::bare(test::quad_square(1))), "su2");
     ASSERT_THAT(mesh, HasSubstr("% 0\n% GROUP_TAG= upper"));
     EXPECT_EQ(refusal(replaced(mesh, "% 0\n% GROUP_TAG= upper", "% 7\n% GROUP_TAG= upper"), "su2"),
-              "file:10: the group 'first' names element 7, but the mesh has 1");
+              "file:9: the group 'first' names element 7, but the mesh has 1");
     EXPECT_EQ(
         refusal(replaced(mesh, "ELEMS= 1\n% 0\n% GROUP_TAG= u", "ELEMS= 2\n% 0 0\n% GROUP_TAG= u"), "su2"),
-        "file:10: the group 'first' names element 0 twice");
+        "file:9: the group 'first' names element 0 twice");
     EXPECT_EQ(refusal(replaced(mesh, "% GROUP_ELEMS= 1\n", ""), "su2"),
-              "file:11: expected '% GROUP_ELEMS=' below the name of a group, found '%'");
+              "file:10: expected '% GROUP_ELEMS=' below the name of a group, found '%'");
     EXPECT_THAT(
         refusal(replaced(mesh, "% GROUP_ELEMS= 1\n% 0\n", "% GROUP_ELEMS= 2000000000\n% 0\nNMARK= 0\n"),
                 "su2"),
-        HasSubstr("file:13: expected '%' and more of the 2000000000 elements of the group 'first'"));
+        HasSubstr("file:12: expected '%' and more of the 2000000000 elements of the group 'first'"));
     EXPECT_THAT(refusal(replaced(mesh, "% 0\n", "% 0 0\n"), "su2"),
-                HasSubstr("file:10: the group 'first' should have 1 elements, but has 2"));
+                HasSubstr("file:9: the group 'first' should have 1 elements, but has 2"));
     EXPECT_THAT(refusal(replaced(mesh, "% 0\n", "% zero\n"), "su2"),
-                HasSubstr("file:12: expected an element of the group 'first', found 'zero'"));
+                HasSubstr("file:11: expected an element of the group 'first', found 'zero'"));
 }
 
 TEST(Su2Zones, ZonesVolumesAndGroupsSurviveMutations)
