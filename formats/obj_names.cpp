@@ -31,7 +31,7 @@ void keep_once(std::vector<std::size_t>& numbers)
 
 } // namespace
 
-void ObjNames::set_groups(std::vector<std::string_view> names)
+void ObjNames::set_groups(const std::vector<std::string_view>& names)
 {
     group_names_.clear();
     for (const std::string_view name : names)

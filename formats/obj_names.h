@@ -12,7 +12,7 @@ namespace morph {
 class ObjNames {
 public:
     /// `g NAME …`, `o NAME` or `usemtl NAME`; takes the place of the last one of its kind.
-    void set_groups(std::vector<std::string_view> names);
+    void set_groups(const std::vector<std::string_view>& names);
     void set_object(std::string_view name);
     void set_material(std::string_view name);
 

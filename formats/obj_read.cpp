@@ -66,7 +66,7 @@ private:
             if (names.size() > kMostObjGroups)
                 in_.fail("a statement g with " + std::to_string(names.size()) + " names, expected at most " +
                          std::to_string(kMostObjGroups));
-            names_.set_groups(std::move(names));
+            names_.set_groups(names);
         } else if (word == "o") {
             names_.set_object(in_.rest_of_line());
         } else if (word == "usemtl") {

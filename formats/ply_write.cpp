@@ -48,7 +48,8 @@ struct FieldLines {
 FieldLines field_lines(const MeshData& mesh, FieldLocation location, PropertyNames names)
 {
     FieldLines lines;
-    const std::string kind = location == FieldLocation::vertex ? "vertex_field " : "face_field ";
+    const std::string kind =
+        location == FieldLocation::vertex ? "comment vertex_field " : "comment face_field ";
     for (const Field& field : mesh.fields) {
         if (field.location != location)
             continue;
@@ -59,8 +60,10 @@ FieldLines field_lines(const MeshData& mesh, FieldLocation location, PropertyNam
                 names.unused(field.values.cols() == 1 ? field.name : field.name + "_" + std::to_string(c));
             lines.properties += "property double " + property + "\n";
             if (c == 0 && property != field.name)
-                lines.comments += "comment " + kind + property + " " + std::to_string(field.values.cols()) +
-                                  " " + line_name(field.name) + "\n";
+                lines.comments.append(kind)
+                    .append(property)
+                    .append(" " + std::to_string(field.values.cols()) + " ")
+                    .append(line_name(field.name) + "\n");
         }
     }
     return lines;
