@@ -30,6 +30,11 @@ const std::vector<Layer>& layers()
         list.emplace_back("libmorph/untangle");
         return list;
     }();
+    static const std::vector<std::string> with_remap = [] {
+        auto list = low;
+        list.emplace_back("libmorph/remap");
+        return list;
+    }();
     static const std::vector<Layer> list{
         {"libmorph/core", {}},
         {"libmorph/mesh", {"libmorph/core"}},
@@ -42,6 +47,7 @@ const std::vector<Layer>& layers()
         {"libmorph/weights", low},
         {"libmorph/deform", above_deform},
         {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
+        {"libmorph/remesh", with_remap},
         {"formats", base},
         {"tools", {"libmorph", "formats"}},
     };

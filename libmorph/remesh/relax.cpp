@@ -1,0 +1,130 @@
+#include "libmorph/remesh/relax.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace morph {
+
+namespace {
+
+constexpr double kGoodStar =
+    0.6; // a move may lower the worst of a star down to this, for the sake of the others
+
+std::size_t at(Index i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+/// Where a free vertex wants to be: the mean of the tips of equilateral triangles over the sides opposite to
+/// it, bad triangles first.
+Eigen::Vector3d wanted_place(const Remaking& made, Index v)
+{
+    constexpr double kHeight = 0.8660254037844386;
+    constexpr double kFloor = 0.05; // of the quality, which is divided by
+    const TriangleNet& net = made.net;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double total = 0;
+    net.around(v, [&](Index h) {
+        const Eigen::Vector3d &b = net.point(net.to(h)), &c = net.point(net.apex(h));
+        const Eigen::Vector3d side = c - b, middle = (b + c) / 2;
+        Eigen::Vector3d up;
+        if (made.planar)
+            up = {-side.y(), side.x(), 0};
+        else {
+            const Eigen::Vector3d rise = net.point(v) - middle;
+            up = rise - rise.dot(side) / std::max(side.squaredNorm(), 1e-300) * side;
+            up *= side.norm() / std::max(up.norm(), 1e-300);
+        }
+        const double quality = std::max(triangle_quality(net.point(v), b, c, made.planar), kFloor);
+        const double weight = 1 / (quality * quality);
+        sum += weight * (middle + kHeight * up);
+        total += weight;
+    });
+    return sum / total;
+}
+
+void relax_free(Remaking& made, Index v)
+{
+    constexpr int kHalvings = 2;
+    const Eigen::Vector3d old = made.net.point(v);
+    const Eigen::Vector3d goal = wanted_place(made, v);
+    const double before = std::min(star_quality(made, v, old), kGoodStar);
+    double step = 1;
+    for (int i = 0; i <= kHalvings; ++i, step /= 2) {
+        NetVertex moved = made.net.vertices[at(v)];
+        place_free(made, moved, old + step * (goal - old));
+        const double after = star_quality(made, v, moved.point);
+        if (after < 0 || after < before)
+            continue;
+        made.net.vertices[at(v)] = moved;
+        return;
+    }
+}
+
+/// The parameter on its curve where a vertex has both neighbours on it at the same part of the length wanted.
+double wanted_parameter(const Remaking& made, Index v)
+{
+    const TriangleNet& net = made.net;
+    const NetVertex& vertex = net.vertices[at(v)];
+    double ahead = 0, behind = 0, ahead_size = 1, behind_size = 1;
+    const auto look = [&](Index h, bool outgoing) {
+        const Index mark = net.tag[at(h)];
+        if (mark < 0 || mark == kKeptTag || mark / 2 != vertex.curve)
+            return;
+        const Index other = outgoing ? net.to(h) : net.from[at(h)];
+        const double length = (net.point(other) - vertex.point).norm();
+        const double size = (vertex.size + net.vertices[at(other)].size) / 2;
+        if ((mark % 2 == 0) == outgoing) {
+            ahead = length;
+            ahead_size = size;
+        } else {
+            behind = length;
+            behind_size = size;
+        }
+    };
+    Index last = -1;
+    net.around(v, [&](Index h) {
+        look(h, true);
+        last = TriangleNet::previous(h);
+    });
+    if (net.twin[at(last)] < 0)
+        look(last, false);
+    const double wanted = (ahead + behind) * behind_size / (ahead_size + behind_size);
+    return vertex.u + (wanted - behind) / made.curves[at(vertex.curve)].tangent(vertex.u).norm();
+}
+
+void relax_on_curve(Remaking& made, Index v)
+{
+    constexpr double kDamping = 0.5;
+    const NetVertex& old = made.net.vertices[at(v)];
+    const double u = old.u + kDamping * (wanted_parameter(made, v) - old.u);
+    const FeatureCurve& line = made.curves[at(old.curve)];
+    if (!line.closed() && (u <= line.begin() || u >= line.end()))
+        return;
+    NetVertex moved = old;
+    place_on_curve(made, moved, old.curve, u);
+    const double before = std::min(star_quality(made, v, old.point), kGoodStar);
+    const double after = star_quality(made, v, moved.point);
+    if (after >= 0 && after >= before)
+        made.net.vertices[at(v)] = moved;
+}
+
+} // namespace
+
+void relax_vertices(Remaking& made, int sweeps)
+{
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (Index v = 0; v < static_cast<Index>(made.net.vertices.size()); ++v) {
+            const NetVertex& vertex = made.net.vertices[at(v)];
+            if (vertex.out < 0)
+                continue;
+            if (vertex.curve == kFreeVertex)
+                relax_free(made, v);
+            else if (vertex.curve >= 0)
+                relax_on_curve(made, v);
+        }
+}
+
+} // namespace morph

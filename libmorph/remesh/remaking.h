@@ -1,0 +1,55 @@
+#pragma once
+
+#include "libmorph/remesh/feature_curve.h"
+#include "libmorph/remesh/triangle_net.h"
+#include "libmorph/remesh/underlay.h"
+
+#include <optional>
+#include <vector>
+
+namespace morph {
+
+/// A mesh while it is remade.
+struct Remaking {
+    TriangleNet net;
+    std::vector<FeatureCurve> curves; ///< by NetVertex::curve and TriangleNet::tag
+    Underlay underlay;
+    bool planar = true;
+};
+
+/// Edges are split above and collapsed below these parts of the wanted length. Their ratio is 2, so that the
+/// halves of a split edge are not short.
+inline constexpr double kLongEdge = 1.4;
+inline constexpr double kShortEdge = 0.7;
+
+/// 4 sqrt(3) area / sum of squared sides: 1 for an equilateral triangle, 0 for a degenerate one; in the plane
+/// negative where the triangle runs clockwise.
+double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                        bool planar);
+
+/// Quality of a triangle of the net.
+double triangle_quality(const Remaking& made, Index triangle);
+
+/// Length of an edge over the mean of the lengths wanted at its ends.
+double relative_length(const TriangleNet& net, Index a, Index b);
+
+/// A triangle may take the place of another: in the plane its area is positive (exact), on a surface its
+/// normal is within 60 degrees of that of the one it replaces.
+bool may_replace(const Remaking& made, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                 const Eigen::Vector3d& c, const Eigen::Vector3d& old_normal);
+
+/// Normal of a triangle of the net, not scaled; not needed, and zero, in the plane.
+Eigen::Vector3d net_normal(const Remaking& made, Index triangle);
+
+/// Parameters of the ends of a halfedge on its feature curve, in the direction of the halfedge; those of a
+/// closed curve may lie beyond its end.
+std::array<double, 2> edge_parameters(const Remaking& made, Index h);
+
+/// Smallest quality of the triangles around a vertex if it were elsewhere; -1 where one of them may not be.
+double star_quality(const Remaking& made, Index vertex, const Eigen::Vector3d& point);
+
+/// A vertex there, of the size wanted there.
+void place_free(const Remaking& made, NetVertex& vertex, const Eigen::Vector3d& point);
+void place_on_curve(const Remaking& made, NetVertex& vertex, Index curve, double u);
+
+} // namespace morph

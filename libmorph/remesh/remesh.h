@@ -1,0 +1,34 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/remesh/features.h"
+#include "libmorph/remesh/net_mesh.h"
+
+#include <vector>
+
+namespace morph {
+
+struct RemeshSettings {
+    FeatureSettings features;
+    std::vector<bool> kept; ///< m: elements that stay as they are; empty: quads only
+    int iterations = 5;     ///< rounds of splitting, collapsing, flipping and relaxing
+    NumberingRule numbering = NumberingRule::fresh;
+};
+
+/// Make the triangles of a mesh anew, of the edge lengths wanted.
+///
+/// Edges longer than 1.4 times the length wanted are split and those shorter than 0.7 times collapsed, edges
+/// flipped to Delaunay's criterion, vertices relaxed [Botsch & Kobbelt 2004, A remeshing approach to
+/// multiresolution modeling, SGP], then the worst triangles mended one by one. Planar: never an element of
+/// area 0 or less (exact). Surfaces: vertices stay on the input, no triangle's normal turns over. Features
+/// (see find_features()) stay; vertices on them move along them only. The same bytes for any number of
+/// threads.
+///
+/// @param mesh   planar with no inverted triangle, or a surface
+/// @param sizes  n: edge length wanted at each vertex, between them linear; positive
+/// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
+/// that is
+///                     not kept; sizes or kept of the wrong number
+RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings = {});
+
+} // namespace morph

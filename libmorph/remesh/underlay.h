@@ -1,0 +1,42 @@
+#pragma once
+
+#include "libmorph/remesh/triangle_net.h"
+
+namespace morph {
+
+/// The mesh as it was before it was remade: what the wanted sizes are known on, and the surface that vertices
+/// stay on.
+///
+/// Points are found by a walk from a triangle nearby, which takes a few steps. Where a hole or a border is in
+/// the way, or the surface folds, the walk ends at the nearest place it reaches; that costs accuracy of a
+/// size, never a valid mesh.
+class Underlay {
+public:
+    /// @param planar  points are found by which triangle holds them, else by which is closest
+    Underlay(const TriangleNet& net, bool planar) : net_(net), planar_(planar) {}
+
+    struct Place {
+        Index triangle = 0;
+        Eigen::Vector3d point; ///< on the triangle, the point asked for or the closest
+        double size = 0;       ///< wanted there
+    };
+    /// @param near  triangle to start from
+    Place find(const Eigen::Vector3d& point, Index near) const;
+
+    /// Wanted sizes as vertices of the input are numbered; may be changed before find() is called.
+    std::vector<NetVertex>& vertices() { return net_.vertices; }
+    const TriangleNet& net() const { return net_; }
+
+    /// Unit normal of a triangle; zero when it has no area.
+    Eigen::Vector3d normal(Index triangle) const;
+
+private:
+    Place find_in_plane(const Eigen::Vector3d& point, Index near) const;
+    Place find_closest(const Eigen::Vector3d& point, Index near) const;
+    double size_at(Index triangle, const Eigen::Vector3d& point) const;
+
+    TriangleNet net_;
+    bool planar_;
+};
+
+} // namespace morph
