@@ -1,0 +1,51 @@
+#include "libmorph/remesh/bad_region.h"
+
+#include "libmorph/remesh/remaking.h"
+
+namespace morph {
+
+namespace {
+
+std::size_t at(Index i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+void add_ring(const std::vector<Element>& elements, Index vertices, std::vector<bool>& kept)
+{
+    std::vector<bool> touched(at(vertices), false);
+    for (std::size_t f = 0; f < elements.size(); ++f)
+        for (const Index v : elements[f])
+            if (v >= 0 && !kept[f])
+                touched[at(v)] = true;
+    for (std::size_t f = 0; f < elements.size(); ++f)
+        for (const Index v : elements[f])
+            if (v >= 0 && touched[at(v)])
+                kept[f] = false;
+}
+
+} // namespace
+
+std::vector<double> triangle_qualities(const Mesh& mesh)
+{
+    const auto place = points(mesh);
+    std::vector<double> quality(at(element_count(mesh)), 1);
+    for (Index f = 0; f < element_count(mesh); ++f)
+        if (const Element e = element_corners(mesh, f); e[3] < 0)
+            quality[at(f)] =
+                triangle_quality(place.row(e[0]), place.row(e[1]), place.row(e[2]), mesh.dimension == 2);
+    return quality;
+}
+
+std::vector<bool> all_but_bad(const Mesh& mesh, double quality, int rings)
+{
+    std::vector<bool> kept;
+    for (const double q : triangle_qualities(mesh))
+        kept.push_back(q >= quality);
+    const std::vector<Element> elements = element_table(mesh);
+    for (int ring = 0; ring < rings; ++ring)
+        add_ring(elements, vertex_count(mesh), kept);
+    return kept;
+}
+
+} // namespace morph

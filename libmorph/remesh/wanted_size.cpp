@@ -1,0 +1,100 @@
+#include "libmorph/remesh/wanted_size.h"
+
+#include "libmorph/remesh/remaking.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace morph {
+
+namespace {
+
+struct Edge {
+    Index a, b;
+    double length;
+};
+
+Edge edge_of(const Mesh& mesh, Index e)
+{
+    const HalfedgeHandle h(2 * e);
+    const Index a = mesh.kernel.from_vertex_handle(h).idx(), b = mesh.kernel.to_vertex_handle(h).idx();
+    return {a, b, (points(mesh).row(a) - points(mesh).row(b)).norm()};
+}
+
+Index edge_count(const Mesh& mesh)
+{
+    return static_cast<Index>(mesh.kernel.n_edges());
+}
+
+} // namespace
+
+Eigen::VectorXd own_sizes(const Mesh& mesh)
+{
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(vertex_count(mesh)), count = sum;
+    for (Index e = 0; e < edge_count(mesh); ++e) {
+        const Edge edge = edge_of(mesh, e);
+        for (const Index v : {edge.a, edge.b}) {
+            sum[v] += edge.length;
+            count[v] += 1;
+        }
+    }
+    return sum.cwiseQuotient(count.cwiseMax(1));
+}
+
+void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes)
+{
+    using Entry = std::pair<double, Index>; // smallest size first, as in Dijkstra's algorithm
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    for (Index v = 0; v < vertex_count(mesh); ++v)
+        waiting.emplace(sizes[v], v);
+    const auto place = points(mesh);
+    while (!waiting.empty()) {
+        const auto [size, v] = waiting.top();
+        waiting.pop();
+        if (size > sizes[v])
+            continue;
+        for (auto it = mesh.kernel.cvv_begin(VertexHandle(v)); it.is_valid(); ++it) {
+            const Index w = it->idx();
+            const double most = size + (gradation - 1) * (place.row(v) - place.row(w)).norm();
+            if (most >= sizes[w])
+                continue;
+            sizes[w] = most;
+            waiting.emplace(most, w);
+        }
+    }
+}
+
+void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes)
+{
+    const double equilateral = std::sqrt(3.0) / 4;
+    double triangles = 0;
+    const auto place = points(mesh);
+    for (Index f = 0; f < element_count(mesh); ++f) {
+        const Element e = element_corners(mesh, f);
+        if (e[3] >= 0)
+            continue;
+        const Eigen::RowVector3d ab = place.row(e[1]) - place.row(e[0]),
+                                 ac = place.row(e[2]) - place.row(e[0]);
+        const double size = (sizes[e[0]] + sizes[e[1]] + sizes[e[2]]) / 3;
+        triangles += ab.cross(ac).norm() / 2 / (equilateral * size * size);
+    }
+    sizes *= std::sqrt(triangles / 2 / vertices); // a triangulation has half as many vertices as triangles
+}
+
+double size_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
+{
+    if (edge_count(mesh) == 0)
+        return 1;
+    Index good = 0;
+    for (Index e = 0; e < edge_count(mesh); ++e) {
+        const Edge edge = edge_of(mesh, e);
+        const double part = 2 * edge.length / (sizes[edge.a] + sizes[edge.b]);
+        good += part >= kShortEdge && part <= kLongEdge ? 1 : 0;
+    }
+    return static_cast<double>(good) / edge_count(mesh);
+}
+
+} // namespace morph

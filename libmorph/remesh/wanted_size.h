@@ -1,0 +1,22 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+
+namespace morph {
+
+/// Mean length of the edges at each vertex: n values, 0 at one of no element.
+Eigen::VectorXd own_sizes(const Mesh& mesh);
+
+/// Lower wanted sizes where they grow too fast: the lengths of edges that follow each other then differ by no
+/// more than the factor @p gradation, measured along the edges of the mesh.
+/// @param gradation  above 1
+void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes);
+
+/// Scale wanted sizes so that equilateral triangles of them fill the mesh with about this many vertices.
+void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes);
+
+/// Share of the edges of a mesh whose length is between 0.7 and 1.4 times the mean of the sizes wanted at
+/// their ends.
+double size_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes);
+
+} // namespace morph

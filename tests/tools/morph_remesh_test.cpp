@@ -1,0 +1,81 @@
+#include "formats/formats.h"
+#include "libmorph/quality/quality.h"
+#include "tests/support/meshes.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace morph {
+namespace {
+
+nlohmann::json remeshed(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--json", "-"});
+    const test::ProcessResult result = test::run_tool("morph-remesh", all);
+    EXPECT_EQ(result.status, 0) << result.errors;
+    return nlohmann::json::parse(result.output);
+}
+
+TEST(MorphRemesh, CoarsensEveryRealMeshWithoutInvertingAnElementOrLosingAMarker)
+{
+    const test::TemporaryFolder folder;
+    for (const std::string& path : test::real_meshes()) {
+        const std::string out = folder.file("out.su2");
+        const nlohmann::json report = remeshed({path, "-o", out, "--scale", "1.5"});
+        const Mesh before = read_mesh(path), after = read_mesh(out);
+        EXPECT_EQ(quality_report(after).inverted, quality_report(before).inverted) << path;
+        ASSERT_EQ(after.markers.size(), before.markers.size()) << path;
+        for (std::size_t i = 0; i < before.markers.size(); ++i) {
+            EXPECT_EQ(after.markers[i].name, before.markers[i].name);
+            EXPECT_FALSE(after.markers[i].edges.empty());
+        }
+        EXPECT_EQ(report["quality"]["after"]["vertices"], vertex_count(after)) << path;
+    }
+}
+
+TEST(MorphRemesh, ReportsTheWorstTriangleThatIsInTheFile)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder.file("out.su2");
+    const nlohmann::json worst = remeshed({test::data_path("meshes/naca0012_inv.su2"), "-o", out, "--scale",
+                                           "1.5"})["triangle_quality"]["after"];
+    const MeshData data = read_mesh_data(out);
+    const Element e = data.elements.at(worst["worst_element"].get<std::size_t>());
+    double sides = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        sides += (data.points.row(e[(k + 1) % 3]) - data.points.row(e[k])).squaredNorm();
+    const Eigen::RowVector3d ab = data.points.row(e[1]) - data.points.row(e[0]);
+    const Eigen::RowVector3d ac = data.points.row(e[2]) - data.points.row(e[0]);
+    const double area = (ab[0] * ac[1] - ab[1] * ac[0]) / 2;
+    // The file has 17 digits; the formula loses a few.
+    EXPECT_NEAR(worst["min"].get<double>(), 4 * std::sqrt(3) * area / sides, 1e-12);
+    EXPECT_GE(worst["min"].get<double>(), 0.62);
+}
+
+TEST(MorphRemesh, OnlyBadLeavesAGoodMeshAsItIs)
+{
+    const test::TemporaryFolder folder;
+    const std::string first = folder.file("first.su2"), second = folder.file("second.su2");
+    remeshed({test::data_path("meshes/naca0012_inv.su2"), "-o", first});
+    remeshed({first, "-o", second, "--only-bad", "0.5"});
+    EXPECT_EQ(read_mesh_data(first).points, read_mesh_data(second).points);
+    EXPECT_EQ(read_mesh_data(first).elements, read_mesh_data(second).elements);
+}
+
+TEST(MorphRemesh, NamesAMissingSizeFieldAndWritesNothing)
+{
+    const test::TemporaryFolder folder;
+    const test::ProcessResult result =
+        test::run_tool("morph-remesh", {test::data_path("meshes/naca0012_inv.su2"), "-o",
+                                        folder.file("out.su2"), "--size-field", "h"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.errors.find("has no nodal field 'h'"), std::string::npos) << result.errors;
+    EXPECT_TRUE(folder.names().empty());
+}
+
+} // namespace
+} // namespace morph
