@@ -14,7 +14,7 @@
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
-#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace morph::tools {
@@ -123,6 +123,24 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
     return settings;
 }
 
+/// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
+/// few.
+Mesh remade(const Mesh& old, const Options& options, Eigen::VectorXd& sizes)
+{
+    constexpr int kCorrections = 4;
+    constexpr double kNear = 0.02; // of the number wanted
+    const RemeshSettings settings = settings_of(old, options);
+    Mesh mesh = build_mesh(remesh(old, sizes, settings).data);
+    for (int i = 0; i < kCorrections && options.vertices > 0; ++i) {
+        const double ratio = static_cast<double>(vertex_count(mesh)) / options.vertices;
+        if (std::abs(ratio - 1) <= kNear)
+            break;
+        sizes *= std::sqrt(ratio);
+        mesh = build_mesh(remesh(old, sizes, settings).data);
+    }
+    return mesh;
+}
+
 /// Carry the fields of the old mesh, and the sizes wanted as the last of them.
 std::vector<Field> carried(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd& sizes, bool no_fields)
 {
@@ -197,8 +215,8 @@ int remesh_file(int argc, char** argv)
     const double read = watch.lap();
     if (old.dimension != 2)
         throw InputError(options.input + ": is a surface in space, but only planar meshes can be remeshed");
-    const Eigen::VectorXd sizes = wanted_sizes(old, options);
-    Mesh mesh = build_mesh(remesh(old, sizes, settings_of(old, options)).data);
+    Eigen::VectorXd sizes = wanted_sizes(old, options);
+    Mesh mesh = remade(old, options, sizes);
     const double remeshed = watch.lap();
     mesh.fields = carried(old, mesh, sizes, options.no_fields);
     const double conformity = size_conformity(mesh, mesh.fields.back().values.col(0));

@@ -56,6 +56,14 @@ TEST(MorphRemesh, ReportsTheWorstTriangleThatIsInTheFile)
     EXPECT_GE(worst["min"].get<double>(), 0.62);
 }
 
+TEST(MorphRemesh, MakesAboutAsManyVerticesAsAskedFor)
+{
+    const test::TemporaryFolder folder;
+    const nlohmann::json report = remeshed(
+        {test::data_path("meshes/naca0012_inv.su2"), "-o", folder.file("out.su2"), "--vertices", "3000"});
+    EXPECT_NEAR(report["quality"]["after"]["vertices"].get<double>(), 3000, 60); // 2 %, as the tool aims
+}
+
 TEST(MorphRemesh, OnlyBadLeavesAGoodMeshAsItIs)
 {
     const test::TemporaryFolder folder;
