@@ -41,7 +41,7 @@ struct Options {
 void add_options(CommandLine& line, Options& options)
 {
     CLI::App& app = line.app();
-    app.add_option("input", options.input, "Planar mesh; its quads are kept as they are")
+    app.add_option("input", options.input, "Planar mesh or surface; its quads are kept as they are")
         ->required()
         ->type_name("IN");
     app.add_option("-o,--output", options.output, "The new mesh")->required()->type_name("OUT");
@@ -152,7 +152,7 @@ std::vector<Field> carried(const Mesh& old, const Mesh& mesh, const Eigen::Vecto
     fields.push_back(&wanted);
     RemapSettings settings;
     settings.outside = Outside::project;
-    settings.conserve_elements = true;
+    settings.conserve_elements = old.dimension == 2; // in space elements do not overlap: sampled
     const Locator locator(old);
     return Remapper(locator, mesh, settings).carry(fields);
 }
@@ -199,7 +199,7 @@ int remesh_file(int argc, char** argv)
 {
     Options options;
     CommandLine line(
-        kTool, "Makes the triangles of a planar mesh anew, of the edge lengths wanted.",
+        kTool, "Makes the triangles of a mesh anew, of the edge lengths wanted.",
         "  morph-remesh wing.su2 -o coarse.su2 --scale 1.5\n"
         "makes edges one and a half times as long; markers, corners and quads stay, nodes of the\n"
         "boundary move along it.");
@@ -213,8 +213,6 @@ int remesh_file(int argc, char** argv)
     Stopwatch watch;
     const Mesh old = read_mesh(options.input, options.from);
     const double read = watch.lap();
-    if (old.dimension != 2)
-        throw InputError(options.input + ": is a surface in space, but only planar meshes can be remeshed");
     Eigen::VectorXd sizes = wanted_sizes(old, options);
     Mesh mesh = remade(old, options, sizes);
     const double remeshed = watch.lap();

@@ -62,6 +62,38 @@ TEST(Remesh, RefinedCirclesAreRounderThanTheirPolygon)
     EXPECT_NEAR(area(data), 8 * std::numbers::pi, 0.01);
 }
 
+/// The unit cube, two triangles a face, outwards.
+MeshData cube()
+{
+    MeshData data;
+    data.dimension = 3;
+    data.points.resize(8, 3);
+    for (Index i = 0; i < 8; ++i)
+        data.points.row(i) << i / 4, i / 2 % 2, i % 2;
+    for (const Element& q : {Element{0, 1, 3, 2}, Element{4, 6, 7, 5}, Element{0, 4, 5, 1},
+                             Element{2, 3, 7, 6}, Element{0, 2, 6, 4}, Element{1, 5, 7, 3}}) {
+        data.elements.push_back({q[0], q[1], q[2], -1});
+        data.elements.push_back({q[0], q[2], q[3], -1});
+    }
+    return data;
+}
+
+TEST(Remesh, KeepsTheEdgesAreaAndVolumeOfACube)
+{
+    const Mesh mesh = build_mesh(cube());
+    const MeshData data = remesh(mesh, uniform(mesh, 0.1)).data;
+    double surface = 0, volume = 0;
+    for (const Element& e : data.elements) {
+        const Eigen::Vector3d a = data.points.row(e[0]), b = data.points.row(e[1]), c = data.points.row(e[2]);
+        surface += (b - a).cross(c - a).norm() / 2;
+        volume += a.dot(b.cross(c)) / 6;
+    }
+    constexpr double kRounding = 1e-12; // of sums over some thousand triangles
+    EXPECT_NEAR(surface, 6, kRounding);
+    EXPECT_NEAR(std::abs(volume), 1, kRounding);
+    EXPECT_GT(data.elements.size(), 1000U);
+}
+
 TEST(Remesh, IsTheSameForTheSameInput)
 {
     const Mesh mesh = build_mesh(test::annulus(1, 3, 40, 10));
