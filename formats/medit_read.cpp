@@ -17,12 +17,6 @@ namespace morph {
 
 namespace {
 
-/// The faces of one number of corners, in the order of the file.
-struct Faces {
-    std::vector<Element> corners;
-    std::vector<std::int64_t> references;
-};
-
 class MeditReader {
 public:
     explicit MeditReader(const InputBytes& file) : file_(file), in_(open_medit(file)) {}
@@ -148,9 +142,9 @@ private:
             edges_.reserve(edges_.size() + count);
             edge_references_.reserve(edges_.size() + count);
         } else if (!shape.volume) {
-            Faces& faces = faces_[shape.corners - 3];
-            faces.corners.reserve(faces.corners.size() + count);
-            faces.references.reserve(faces.references.size() + count);
+            std::vector<Element>& faces = faces_.at(shape.corners - 3);
+            faces.reserve(faces.size() + count);
+            face_references_.at(shape.corners - 3).reserve(faces.size() + count);
         }
     }
 
@@ -162,10 +156,9 @@ private:
             edges_.push_back({corners[0], corners[1]});
             edge_references_.push_back(reference);
         } else {
-            Faces& faces = faces_[shape.corners - 3];
-            faces.corners.push_back(
-                {corners[0], corners[1], corners[2], shape.corners == 4 ? corners[3] : -1});
-            faces.references.push_back(reference);
+            faces_.at(shape.corners - 3)
+                .push_back({corners[0], corners[1], corners[2], shape.corners == 4 ? corners[3] : -1});
+            face_references_.at(shape.corners - 3).push_back(reference);
         }
     }
 
@@ -180,36 +173,11 @@ private:
                 in_->fail_expected("a number of " + in_->section());
     }
 
-    /// Bring the faces into one list, mixed as the comment in the file says, with their references.
-    std::vector<std::int64_t> join_faces()
-    {
-        auto& [triangles, quads] = faces_;
-        std::vector<int> order;
-        if (!triangles.corners.empty() && !quads.corners.empty())
-            order = read_element_order(in_->comments(), triangles.corners.size(), quads.corners.size());
-        std::vector<Element>& elements = volume_.mesh.elements;
-        if (order.empty()) {
-            elements = std::move(triangles.corners);
-            elements.insert(elements.end(), quads.corners.begin(), quads.corners.end());
-            std::vector<std::int64_t> references = std::move(triangles.references);
-            references.insert(references.end(), quads.references.begin(), quads.references.end());
-            return references;
-        }
-        std::vector<std::int64_t> references;
-        std::array<std::size_t, 2> next{0, 0};
-        for (const int corners : order) {
-            const std::size_t kind = corners == 3 ? 0 : 1;
-            const std::size_t face = next.at(kind)++;
-            elements.push_back(faces_.at(kind).corners[face]);
-            references.push_back(faces_.at(kind).references[face]);
-        }
-        return references;
-    }
-
     void finish()
     {
         MeshData& mesh = volume_.mesh;
-        const std::vector<std::int64_t> references = join_faces();
+        const std::vector<std::int64_t> references =
+            join_faces(faces_, face_references_, in_->comments(), mesh.elements);
         const std::vector<NumberedName> names = read_names(in_->comments());
         mesh.groups = groups_from(references, names);
         mesh.markers = markers_from(edges_, edge_references_, names);
@@ -252,7 +220,8 @@ private:
     std::vector<std::int64_t> vertex_references_;
     std::vector<std::array<Index, 2>> edges_;
     std::vector<std::int64_t> edge_references_;
-    std::array<Faces, 2> faces_; ///< triangles, quads
+    std::array<std::vector<Element>, 2> faces_; ///< triangles, quads
+    std::array<std::vector<std::int64_t>, 2> face_references_;
     std::vector<MeditNumbers> lists_;
     std::int64_t largest_ = 0; ///< vertex that a line names, from 1
     std::size_t largest_position_ = 0;
