@@ -410,6 +410,18 @@ TEST(Medit, SaysWhatIsWrongInBinaryAndWhere)
               "file: byte 148: expected a place, found the end of the file");
 }
 
+TEST(Medit, ReadsWhatGmshWrote) // tests/data/medit/README.md
+{
+    const MeshData mesh = read_mesh_data(test::data_path("medit/gmsh.mesh"));
+    EXPECT_EQ(mesh.dimension, 2);
+    EXPECT_EQ(mesh.points.rows(), 20);
+    EXPECT_EQ(mesh.elements.size(), 26U);
+    ASSERT_EQ(mesh.markers.size(), 4U);
+    EXPECT_EQ(mesh.markers[3].name, "4");
+    EXPECT_EQ(mesh.markers[3].edges.size(), 3U);
+    EXPECT_EQ(mesh.groups.at(0).elements.size(), 26U);
+}
+
 TEST(Medit, SurvivesDamagedFiles)
 {
     std::vector<std::string> seeds{kSmall,
