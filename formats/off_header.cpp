@@ -47,7 +47,8 @@ bool add_off_fields(const OffHeader& header, const std::vector<double>& numbers,
     Eigen::Index first = 0;
     const auto add = [&](std::string_view name, std::size_t columns) {
         const auto count = static_cast<Eigen::Index>(columns);
-        mesh.fields.push_back({std::string(name), FieldLocation::vertex, all.middleCols(first, count)});
+        mesh.fields.push_back({std::string(name), FieldLocation::vertex,
+                               all.rows() == 0 ? Matrix(0, count) : Matrix(all.middleCols(first, count))});
         first += count;
     };
     if (header.normal)

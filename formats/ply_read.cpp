@@ -177,7 +177,7 @@ private:
         for (std::size_t p = 0; p < targets.size(); ++p)
             if (const int axis = axis_of(element.properties[p]); axis >= 0) {
                 has_axis[static_cast<std::size_t>(axis)] = true;
-                targets[p] = {xyz.data() + axis, 3, true};
+                targets[p] = {xyz.empty() ? nullptr : xyz.data() + axis, 3, true};
             }
         if (!has_axis[0] || !has_axis[1])
             rows_.fail(in_.position(), "vertices have no coordinates x and y");
@@ -264,7 +264,7 @@ private:
     /// Edges without a property `marker` are those of one marker "edges".
     void read_edges(const PlyElement& element)
     {
-        std::vector<double> values(3 * element.count, -1.0); // two vertices and a marker for each row
+        std::vector<double> values(3 * (element.count + 1), -1.0); // two vertices and a marker for each row
         std::vector<Target> targets(element.properties.size());
         const auto marker = property_number(element, "marker");
         targets[*property_number(element, "vertex1")] = {values.data(), 3, false};
