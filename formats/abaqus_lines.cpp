@@ -97,9 +97,10 @@ bool AbaqusLines::next_keyword(AbaqusKeyword& keyword)
     if (keyword.name.empty())
         in_.fail_at(keyword.position, "expected a keyword behind '*'");
     while (!rest.empty()) {
-        std::string_view value = take_part(rest);
-        const std::string_view name = trimmed(value.substr(0, value.find('=')));
-        value.remove_prefix(std::min(value.find('='), value.size() - 1) + (value.empty() ? 0 : 1));
+        const std::string_view part = take_part(rest);
+        const std::size_t equals = std::min(part.find('='), part.size());
+        const std::string_view name = trimmed(part.substr(0, equals));
+        const std::string_view value = part.substr(std::min(equals + 1, part.size()));
         if (!name.empty())
             keyword.parameters.emplace_back(upper_case(std::string(name)), unquoted(trimmed(value)));
     }
