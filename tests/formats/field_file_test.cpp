@@ -172,7 +172,7 @@ TEST(FieldFile, AFileWithoutFieldsIsRefused)
     const MeshData mesh = square_and_triangle(0);
     EXPECT_EQ(refusal(mesh, "fields.csv", "x,y\n0,0\n1,0\n1,1\n0,1\n2,0.5\n"), "fields.csv: has no fields");
     EXPECT_EQ(refusal(mesh, "mesh.su2", test::written(mesh, "su2")), "mesh.su2: has no fields");
-    EXPECT_THAT(refusal(mesh, "fields.dat", ""), testing::StartsWith("fields.dat: the extension '.dat'"));
+    EXPECT_THAT(refusal(mesh, "fields.xyz", ""), testing::StartsWith("fields.xyz: the extension '.xyz'"));
 }
 
 TEST(FieldFile, SurvivesMutatedFiles)
