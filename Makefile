@@ -8,8 +8,8 @@ PACKAGES := \
 	libgtest-dev libgmock-dev libbenchmark-dev time \
 	clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
 
-# What only the benchmarks compare with: NumPy, and VTK with some 150 packages that it brings along.
-BENCH_PACKAGES := libvtk9-dev python3-numpy
+# What only the benchmarks compare with: NumPy, meshio, Gmsh, and VTK with some 150 packages that it brings along.
+BENCH_PACKAGES := libvtk9-dev python3-numpy gmsh python3-meshio
 
 # The programs that `make peers` lets read what we write.
 PEER_PACKAGES := gmsh python3-gmsh python3-meshio python3-vtk9 cgns-convert

@@ -4,8 +4,8 @@
 
 A square of cells x cells cells, each cut into two triangles, with four markers. Every run is a process of its own
 on one core; our seconds are the smallest of three. Peers: /usr/bin/python3 with python3-meshio, and gmsh. Where
-meshio cannot write the target (SU2), its seconds are those of reading the source alone; its VTK files, which it
-makes itself, have no markers.
+meshio cannot write the target (SU2), its seconds are those of reading the source alone; its PLY and VTK files
+have no markers, because it refuses them.
 """
 
 import argparse
@@ -20,8 +20,8 @@ import numpy
 MARKERS = ("bottom", "right", "top", "left")
 
 
-def write_square(path, cells):
-    """The square as an SU2 mesh, its inner vertices shaken so that coordinates have all their digits."""
+def write_square(path, cells, markers):
+    """The square as an SU2 mesh with the first of its markers, its inner vertices shaken so that coordinates have all their digits."""
     n = cells + 1
     y, x = numpy.mgrid[0:n, 0:n] / cells
     shake = numpy.random.default_rng(1).uniform(-0.2 / cells, 0.2 / cells, (2, n, n))
@@ -37,8 +37,8 @@ def write_square(path, cells):
         out.writelines(f"5 {t[0]} {t[1]} {t[2]} {i}\n" for i, t in enumerate(triangles.tolist()))
         out.write(f"NPOIN= {len(points)}\n")
         out.writelines(f"{p[0]!r} {p[1]!r} {i}\n" for i, p in enumerate(points.tolist()))
-        out.write(f"NMARK= {len(MARKERS)}\n")
-        for name, side in zip(MARKERS, sides):
+        out.write(f"NMARK= {markers}\n")
+        for name, side in zip(MARKERS[:markers], sides):
             out.write(f"MARKER_TAG= {name}\nMARKER_ELEMS= {len(side) - 1}\n")
             out.writelines(f"3 {i} {j}\n" for i, j in zip(side[:-1], side[1:]))
 
@@ -88,8 +88,8 @@ def rows(work, tool):
         ("SU2 to VTU, text", ours(su2, out + ".vtu", "--ascii"), "meshio", meshio(su2, out + "_m.vtu", "--ascii"), 5),
         ("Gmsh text to SU2", ours(at("plain.msh"), out + ".su2"), "meshio", meshio_reading(at("plain.msh")), 5),
         ("OBJ to SU2", ours(at("square.obj"), out + ".su2"), "meshio", meshio_reading(at("square.obj")), 5),
-        ("PLY to VTK, binary", ours(at("square.ply"), out + ".vtk"), "meshio",
-         meshio(at("square.ply"), out + "_m.vtk"), 1),
+        ("PLY to VTK, binary", ours(at("plain.ply"), out + ".vtk"), "meshio",
+         meshio(at("plain.ply"), out + "_m.vtk"), 1),
         ("STL to PLY, binary", ours(at("square.stl"), out + ".ply"), "meshio",
          meshio(at("square.stl"), out + "_m.ply"), 1),
         ("VTK binary to Gmsh binary", ours(at("plain.vtk"), out + ".msh"), "meshio",
@@ -107,13 +107,15 @@ def rows(work, tool):
 
 def prepare(work, tool, cells):
     square = os.path.join(work, "square.su2")
-    write_square(square, cells)
-    for name, options in (("text.msh", ["--ascii"]), ("binary.msh", []), ("square.obj", []), ("square.ply", []),
-                          ("square.stl", [])):
+    plain = os.path.join(work, "plain.su2")
+    write_square(square, cells, len(MARKERS))
+    write_square(plain, cells, 0)
+    for name, options in (("text.msh", ["--ascii"]), ("binary.msh", []), ("square.obj", []), ("square.stl", [])):
         subprocess.run([tool, square, os.path.join(work, name), "--quiet", *options], check=True)
-    subprocess.run([tool, os.path.join(work, "square.ply"), os.path.join(work, "plain.msh"), "--ascii", "--quiet"], check=True)
+    subprocess.run([tool, plain, os.path.join(work, "plain.msh"), "--ascii", "--quiet"], check=True)
+    subprocess.run([tool, plain, os.path.join(work, "plain.ply"), "--quiet"], check=True)
     for name in ("plain.vtk", "plain.vtu"):
-        command = meshio(os.path.join(work, "square.ply"), os.path.join(work, name))
+        command = meshio(os.path.join(work, "plain.ply"), os.path.join(work, name))
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 

@@ -10,6 +10,9 @@ done
 echo "== the peer of lattice_bench in NumPy"
 python3 "$(dirname "$0")/full_length_passes.py"
 
+echo "== conversions beside meshio and Gmsh"
+python3 "$(dirname "$0")/convert_peers.py" "$build/bin" || echo "slower than wanted somewhere"
+
 echo "== how far meshes can be moved"
 python3 "$(dirname "$0")/large_moves.py" "$build/bin"
 
