@@ -13,6 +13,7 @@
 #include "tools/common/quality_json.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
+#include "tools/remesh/group_regions.h"
 
 #include <cmath>
 #include <numeric>
@@ -141,9 +142,26 @@ Mesh remade(const Mesh& old, const Options& options, Eigen::VectorXd& sizes)
     return mesh;
 }
 
-/// Carry the fields of the old mesh, and the sizes wanted as the last of them.
-std::vector<Field> carried(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd& sizes, bool no_fields)
+/// The new mesh, with edges along every border between groups of elements.
+Mesh remade_between(Mesh& old, const GroupRegions& regions, const Options& options, Eigen::VectorXd& sizes)
 {
+    if (regions.groups.size() < 2)
+        return remade(old, options, sizes);
+    std::string name = "borders of groups";
+    while (find_marker(old.markers, name))
+        name += '_';
+    old.markers.push_back(region_borders(old, regions, name));
+    Mesh mesh = remade(old, options, sizes);
+    old.markers.pop_back();
+    std::erase_if(mesh.markers, [&](const Marker& marker) { return marker.name == name; });
+    return mesh;
+}
+
+/// Carry the fields of the old mesh, and the sizes wanted as the last of them.
+std::vector<Field> carried(const Locator& locator, const Mesh& mesh, const Eigen::VectorXd& sizes,
+                           bool no_fields)
+{
+    const Mesh& old = locator.source();
     const Field wanted{"size", FieldLocation::vertex, sizes};
     std::vector<const Field*> fields;
     for (const Field& field : old.fields)
@@ -153,7 +171,6 @@ std::vector<Field> carried(const Mesh& old, const Mesh& mesh, const Eigen::Vecto
     RemapSettings settings;
     settings.outside = Outside::project;
     settings.conserve_elements = old.dimension == 2; // in space elements do not overlap: sampled
-    const Locator locator(old);
     return Remapper(locator, mesh, settings).carry(fields);
 }
 
@@ -211,12 +228,19 @@ int remesh_file(int argc, char** argv)
     OutputFiles::require_writable(options.output);
 
     Stopwatch watch;
-    const Mesh old = read_mesh(options.input, options.from);
+    Mesh old = read_mesh(options.input, options.from);
     const double read = watch.lap();
     Eigen::VectorXd sizes = wanted_sizes(old, options);
-    Mesh mesh = remade(old, options, sizes);
+    const GroupRegions regions = group_regions(old);
+    for (const CarriedText& carried : old.carried)
+        warn(kTool,
+             options.input + ": " + carried.what + " may name vertices that are no more, and was left out");
+    Mesh mesh = remade_between(old, regions, options, sizes);
     const double remeshed = watch.lap();
-    mesh.fields = carried(old, mesh, sizes, options.no_fields);
+    const Locator locator(old);
+    if (!old.groups.empty())
+        mesh.groups = carried_groups(locator, regions, mesh);
+    mesh.fields = carried(locator, mesh, sizes, options.no_fields);
     const double conformity = size_conformity(mesh, mesh.fields.back().values.col(0));
     mesh.fields.pop_back();
     const double fields = watch.lap();

@@ -20,7 +20,7 @@ enum class NumberingRule {
 
 /// Where the vertices of a remade mesh come from.
 struct RemadeMesh {
-    MeshData data; ///< without fields
+    MeshData data; ///< without fields and groups
     std::vector<Index>
         below; ///< per vertex of the data: triangle of the underlay, -1 for one of kept elements only
 };

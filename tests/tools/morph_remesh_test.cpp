@@ -56,6 +56,53 @@ TEST(MorphRemesh, ReportsTheWorstTriangleThatIsInTheFile)
     EXPECT_GE(worst["min"].get<double>(), 0.62);
 }
 
+/// The uneven square cut by the line through its cells' corners at half height, which is not straight.
+MeshData two_halves()
+{
+    MeshData mesh = test::uneven_square(20);
+    mesh.groups = {{"low", {}}, {"all", {}}, {"high", {}}};
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const auto number = static_cast<Index>(e);
+        (e < mesh.elements.size() / 2 ? mesh.groups[0] : mesh.groups[2]).elements.push_back(number);
+        mesh.groups[1].elements.push_back(number);
+    }
+    return mesh;
+}
+
+double group_area(const MeshData& mesh, const ElementGroup& group)
+{
+    double area = 0;
+    for (const Index number : group.elements) {
+        const Element& e = mesh.elements[static_cast<std::size_t>(number)];
+        const Eigen::RowVector3d ab = mesh.points.row(e[1]) - mesh.points.row(e[0]);
+        const Eigen::RowVector3d ac = mesh.points.row(e[2]) - mesh.points.row(e[0]);
+        area += (ab[0] * ac[1] - ab[1] * ac[0]) / 2;
+    }
+    return area;
+}
+
+TEST(MorphRemesh, KeepsGroupsAndTheLinesBetweenThem)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.vtu"), out = folder.file("out.vtu");
+    const MeshData before = two_halves();
+    write_mesh_data(before, in);
+    for (const char* scale : {"0.6", "1.5"}) {
+        remeshed({in, "-o", out, "--scale", scale});
+        const MeshData after = read_mesh_data(out);
+        ASSERT_EQ(after.groups.size(), 3U);
+        for (std::size_t g = 0; g < 3; ++g) {
+            EXPECT_EQ(after.groups[g].name, before.groups[g].name);
+            // The border's polygon changes a little where it is not straight: by less than 1 % of a cell's
+            // height.
+            EXPECT_NEAR(group_area(after, after.groups[g]), group_area(before, before.groups[g]), 5e-4);
+        }
+        EXPECT_EQ(after.groups[0].elements.size() + after.groups[2].elements.size(), after.elements.size());
+        EXPECT_EQ(after.groups[1].elements.size(), after.elements.size());
+        ASSERT_EQ(after.markers.size(), before.markers.size());
+    }
+}
+
 TEST(MorphRemesh, MakesAboutAsManyVerticesAsAskedFor)
 {
     const test::TemporaryFolder folder;
