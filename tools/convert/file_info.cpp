@@ -91,9 +91,10 @@ std::string capabilities(const Format& format)
                                      {holds.element_fields, ", element fields"},
                                      {holds.volume, ", surface of volumes"}})
         text += held ? name : "";
+    if (!format.write)
+        return text + "; read only";
     text += holds.ascii && holds.binary ? "; text or binary" : holds.binary ? "; binary" : "; text";
-    text += holds.compressed ? ", compressed" : "";
-    return text + (format.write ? "" : "; read only");
+    return text + (holds.compressed ? ", compressed" : "");
 }
 
 std::string padded(std::string text, std::size_t width)
