@@ -12,6 +12,14 @@ namespace {
 
 constexpr Index kMostComponents = 9;
 
+/// Sections that give few values make whole fields all the same; past this many numbers for all of them, a
+/// file is broken or meant to be harmful.
+std::size_t most_numbers(std::size_t file_bytes)
+{
+    constexpr std::size_t kForAnyFile = std::size_t{1} << 24U;
+    return kForAnyFile + 2 * file_bytes; // a complete field takes 2 bytes or more for each number
+}
+
 std::string_view without_quotes(std::string_view line)
 {
     const bool quoted = line.size() >= 2 && line.front() == '"' && line.back() == '"';
@@ -85,6 +93,11 @@ std::size_t GmshFields::field_for(const Header& header, FieldLocation location)
             return f;
     const auto rows = location == FieldLocation::vertex ? mesh_.points.rows()
                                                         : static_cast<Eigen::Index>(mesh_.elements.size());
+    numbers_ += static_cast<std::size_t>(rows * header.kept);
+    if (numbers_ > most_numbers(file_.bytes.size()))
+        in_.text().fail("data '" + header.name + "' would make " + std::to_string(numbers_) +
+                        " numbers of fields, most of them not given, from a file of " +
+                        std::to_string(file_.bytes.size()) + " bytes");
     mesh_.fields.push_back({free_name(header, location), location,
                             Matrix::Constant(rows, header.kept, std::numeric_limits<double>::quiet_NaN())});
     known_.push_back({header.name, header.step, std::vector<bool>(static_cast<std::size_t>(rows))});

@@ -52,6 +52,7 @@ private:
     std::vector<Known> known_; ///< of each field of the mesh
     std::vector<double> one_;  ///< value
     Index sections_ = 0;
+    std::size_t numbers_ = 0; ///< of all fields
 };
 
 } // namespace morph

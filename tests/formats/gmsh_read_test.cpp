@@ -236,6 +236,19 @@ TEST(GmshReading, MistakesInText22AreSaidWithTheirLine)
     EXPECT_EQ(changed("7 2 2 21", "7 2 1e1 21"), "file:20: expected the number of tags, found '1e1'");
 }
 
+TEST(GmshReading, ManySectionsThatGiveNextToNothingAreRefused)
+{
+    constexpr int kNodes = 1000;
+    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(kNodes) + "\n";
+    for (int v = 1; v <= kNodes; ++v)
+        text += std::to_string(v) + " " + std::to_string(v) + " 0 0\n";
+    text += "$EndNodes\n$Elements\n0\n$EndElements\n";
+    for (int i = 0; i < 2000; ++i) // 9,000 numbers each
+        text += "$NodeData\n1\n\"d" + std::to_string(i) +
+                "\"\n1\n0\n3\n0\n9\n1\n1 0 0 0 0 0 0 0 0 0\n$EndNodeData\n";
+    EXPECT_THAT(test::refusal(text, "gmsh"), testing::HasSubstr("most of them not given"));
+}
+
 TEST(GmshReading, MistakesInDataAreSaidWithTheirLine)
 {
     const auto changed = [](const std::string& from, const std::string& to) {
