@@ -20,7 +20,8 @@ struct RemeshSettings {
 /// Edges longer than 1.4 times the length wanted are split and those shorter than 0.7 times collapsed, edges
 /// flipped to Delaunay's criterion, vertices relaxed [Botsch & Kobbelt 2004, A remeshing approach to
 /// multiresolution modeling, SGP], then the worst triangles mended one by one. Planar: never an element of
-/// area 0 or less (exact). Surfaces: vertices stay on the input, no triangle's normal turns over. Features
+/// area 0 or less (exact). Surfaces: vertices stay on the input, no single change turns a triangle by
+/// more than 60 degrees. Features
 /// (see find_features()) stay; vertices on them move along them only. The same bytes for any number of
 /// threads.
 ///

@@ -32,8 +32,7 @@ inline constexpr Index kKeptTag = 1 << 30;
 
 /// Triangles whose edges can be split, collapsed and flipped, in flat arrays.
 ///
-/// Halfedge 3 t + k runs from corner k of triangle t to the next. In memory order of a space-filling curve
-/// its operations take a third of the time of OpenMesh's, which also keep lists of what was deleted.
+/// Halfedge 3 t + k runs from corner k of triangle t to the next.
 class TriangleNet {
 public:
     std::vector<NetVertex> vertices;
