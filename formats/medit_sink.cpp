@@ -3,6 +3,7 @@
 #include "formats/medit_keywords.h"
 #include "formats/number_text.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 
@@ -85,8 +86,7 @@ public:
     void line(const double* reals, const std::int64_t* integers) override
     {
         char* to = out_.room(8 * reals_ + 4 * integers_);
-        std::memcpy(to, reals, 8 * reals_);
-        to += 8 * reals_;
+        to = std::copy_n(reinterpret_cast<const char*>(reals), 8 * reals_, to);
         for (std::size_t i = 0; i < integers_; ++i) {
             const auto number = static_cast<std::int32_t>(integers[i]);
             std::memcpy(to, &number, sizeof number);
