@@ -1,0 +1,16 @@
+#pragma once
+
+#include "libmorph/mesh/mesh.h"
+#include "tools/common/report.h"
+
+#include <string>
+
+namespace morph::tools {
+
+/// Say and report what became of a mesh: counts, quality before and after, how well sizes were met.
+/// @param sizes   edge lengths wanted at the vertices of @p mesh
+/// @param output  name of its file
+void describe_remeshing(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd& sizes,
+                        const std::string& output, Report& report);
+
+} // namespace morph::tools
