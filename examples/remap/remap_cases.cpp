@@ -80,8 +80,8 @@ void table(const std::string& folder)
         "L2, idw | L2, project |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for (const std::string name : {"pipe_triangles", "pipe_quads", "airfoil_hybrid"})
         for (const std::string way : {"coarse_to_fine", "fine_to_coarse"}) {
-            const std::string file = folder + "/" + name + "_" + way + "_";
-            const Errors idw = errors_in(file + "idw.vtu"), project = errors_in(file + "project.vtu");
+            const std::string file = std::string(folder).append("/").append(name).append("_").append(way);
+            const Errors idw = errors_in(file + "_idw.vtu"), project = errors_in(file + "_project.vtu");
             std::printf("| %s | %s | %d | %d | %.2e | %.2e | %.2e | %.2e | %.2e |\n", name.c_str(),
                         way.c_str(), idw.targets, idw.outside, idw.largest_inside, idw.largest_outside,
                         project.largest_outside, idw.mean_square, project.mean_square);
