@@ -71,21 +71,22 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 }
 
 /// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
-/// few.
+/// few. They become those that were wanted in the end.
 Mesh remade(const Mesh& old, const Options& options, Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
     constexpr double kNear = 0.02; // of the number wanted
     const RemeshSettings settings = settings_of(old, options);
-    Mesh mesh = build_mesh(remesh(old, sizes, settings).data);
+    RemadeMesh made = remesh(old, sizes, settings);
     for (int i = 0; i < kCorrections && options.sizes.vertices > 0; ++i) {
-        const double ratio = static_cast<double>(vertex_count(mesh)) / options.sizes.vertices;
+        const double ratio = static_cast<double>(made.data.points.rows()) / options.sizes.vertices;
         if (std::abs(ratio - 1) <= kNear)
             break;
         sizes *= std::sqrt(ratio);
-        mesh = build_mesh(remesh(old, sizes, settings).data);
+        made = remesh(old, sizes, settings);
     }
-    return mesh;
+    sizes = made.sizes;
+    return build_mesh(made.data);
 }
 
 /// The new mesh, with edges along every border between groups of elements.

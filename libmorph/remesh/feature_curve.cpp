@@ -17,6 +17,13 @@ Eigen::Vector3d middle_slope(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
     return ((b - a) / before * after + (c - b) / after * before) / (before + after);
 }
 
+/// Of a line that turns from one direction to another over a length.
+double radius_of_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double length)
+{
+    const double turn = std::atan2(from.cross(to).norm(), from.dot(to));
+    return turn > 0 ? length / turn : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 FeatureCurve::FeatureCurve(const std::vector<Eigen::Vector3d>& nodes, bool closed, Shape shape)
@@ -97,18 +104,29 @@ Eigen::Vector3d FeatureCurve::tangent(double u) const
 
 double FeatureCurve::radius(double u) const
 {
-    // By a central difference of the tangent, over a small part of a spline and of a piece between nodes.
-    constexpr double kSplineStep = 1e-3, kPieceStep = 0.25;
-    if (!spline_ && slopes_.empty())
-        return std::numeric_limits<double>::infinity();
-    const std::size_t i = piece(inside(u));
-    const double step = spline_ ? kSplineStep * period() : kPieceStep * (u_[i + 1] - u_[i]);
+    return spline_ ? spline_radius(u) : polygon_radius(piece(inside(u)));
+}
+
+double FeatureCurve::spline_radius(double u) const
+{
+    constexpr double kStep = 1e-3; // of the period
+    const double step = kStep * period();
     const double low = closed_ ? u - step : std::max(u - step, begin());
     const double high = closed_ ? u + step : std::min(u + step, end());
-    const Eigen::Vector3d a = tangent(low).normalized(), b = tangent(high).normalized();
-    const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
-    const double length = (point(high) - point(low)).norm();
-    return turn > 0 ? length / turn : std::numeric_limits<double>::infinity();
+    return radius_of_turn(tangent(low), tangent(high), (point(high) - point(low)).norm());
+}
+
+double FeatureCurve::polygon_radius(std::size_t i) const
+{
+    const std::size_t pieces = nodes_.size() - 1;
+    if (pieces < 2)
+        return std::numeric_limits<double>::infinity();
+    const std::size_t before = i > 0 ? i - 1 : (closed_ ? pieces - 1 : i);
+    const std::size_t after = i + 1 < pieces ? i + 1 : (closed_ ? 0 : i);
+    const auto step = [&](std::size_t k) { return u_[k + 1] - u_[k]; };
+    const double length =
+        (before == i ? 0 : (step(before) + step(i)) / 2) + (after == i ? 0 : (step(after) + step(i)) / 2);
+    return radius_of_turn(nodes_[before + 1] - nodes_[before], nodes_[after + 1] - nodes_[after], length);
 }
 
 } // namespace morph

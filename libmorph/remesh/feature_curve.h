@@ -40,12 +40,15 @@ public:
     Eigen::Vector3d point(double u) const;
     Eigen::Vector3d tangent(double u) const; ///< dC/du
 
-    /// Radius of curvature; infinite where it is straight.
+    /// Radius of curvature; infinite where it is straight. Through nodes: by how much the polygon turns from
+    /// the piece before that of @p u to the piece after it, so that a zigzag counts as straight.
     double radius(double u) const;
 
 private:
     double inside(double u) const;
     std::size_t piece(double u) const;
+    double spline_radius(double u) const;
+    double polygon_radius(std::size_t piece) const;
 
     std::optional<Curve> spline_;
     std::vector<double> u_; ///< of the nodes, closed: the first again at the end

@@ -23,6 +23,7 @@ struct RemadeMesh {
     MeshData data; ///< without fields and groups
     std::vector<Index>
         below; ///< per vertex of the data: triangle of the underlay, -1 for one of kept elements only
+    Eigen::VectorXd sizes; ///< per vertex of the input: wanted after limit_by_curves()
 };
 
 /// The mesh after its net was remade: kept elements, new triangles, markers in their order. Listed as the

@@ -4,6 +4,7 @@
 #include "libmorph/core/names.h"
 #include "libmorph/core/progress.h"
 #include "libmorph/core/space_curve.h"
+#include "libmorph/remesh/curve_limit.h"
 #include "libmorph/remesh/relax.h"
 #include "libmorph/remesh/resize.h"
 
@@ -125,9 +126,14 @@ RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSe
     Remaking made{std::move(net), {}, std::move(underlay), planar};
     require_positive(made, mesh, kept);
     find_features(made, mesh, settings.features);
+    limit_by_curves(made);
     const TriangleNet before = made.net;
     remake(made, settings.iterations);
-    return mesh_of(made, before, mesh, kept, settings.numbering);
+    RemadeMesh remade = mesh_of(made, before, mesh, kept, settings.numbering);
+    remade.sizes = sizes;
+    for (const NetVertex& vertex : before.vertices)
+        remade.sizes[vertex.origin] = vertex.size;
+    return remade;
 }
 
 } // namespace morph

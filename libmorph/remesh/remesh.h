@@ -26,7 +26,8 @@ struct RemeshSettings {
 /// threads.
 ///
 /// @param mesh   planar with no inverted triangle, or a surface
-/// @param sizes  n: edge length wanted at each vertex, between them linear; positive
+/// @param sizes  n: edge length wanted at each vertex, between them linear; positive; limit_by_curves()
+/// lowers them
 /// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
 /// that is
 ///                     not kept; sizes or kept of the wrong number

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace morph {
 
@@ -29,6 +30,39 @@ Index edge_count(const Mesh& mesh)
     return static_cast<Index>(mesh.kernel.n_edges());
 }
 
+/// Carries small sizes on from vertex to vertex, the smallest first, as Dijkstra's algorithm does.
+class SizeSpread {
+public:
+    explicit SizeSpread(double gradation) : slope_(gradation - 1) {}
+
+    void start(Index vertex, double size) { waiting_.emplace(size, vertex); }
+
+    /// @param size_of     size_of(v): the size of a vertex, to be changed
+    /// @param neighbours  neighbours(v, offer) calls offer(w, distance) for those of a vertex
+    template <typename SizeOf, typename Neighbours>
+    void run(const SizeOf& size_of, const Neighbours& neighbours)
+    {
+        while (!waiting_.empty()) {
+            const auto [size, v] = waiting_.top();
+            waiting_.pop();
+            if (size > size_of(v))
+                continue;
+            neighbours(v, [&, least = size](Index w, double distance) {
+                const double most = least + slope_ * distance;
+                if (most >= size_of(w))
+                    return;
+                size_of(w) = most;
+                waiting_.emplace(most, w);
+            });
+        }
+    }
+
+private:
+    using Entry = std::pair<double, Index>;
+    double slope_;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
+};
+
 } // namespace
 
 Eigen::VectorXd own_sizes(const Mesh& mesh)
@@ -46,25 +80,29 @@ Eigen::VectorXd own_sizes(const Mesh& mesh)
 
 void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes)
 {
-    using Entry = std::pair<double, Index>; // smallest size first, as in Dijkstra's algorithm
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    SizeSpread spread(gradation);
     for (Index v = 0; v < vertex_count(mesh); ++v)
-        waiting.emplace(sizes[v], v);
+        spread.start(v, sizes[v]);
     const auto place = points(mesh);
-    while (!waiting.empty()) {
-        const auto [size, v] = waiting.top();
-        waiting.pop();
-        if (size > sizes[v])
-            continue;
-        for (auto it = mesh.kernel.cvv_begin(VertexHandle(v)); it.is_valid(); ++it) {
-            const Index w = it->idx();
-            const double most = size + (gradation - 1) * (place.row(v) - place.row(w)).norm();
-            if (most >= sizes[w])
-                continue;
-            sizes[w] = most;
-            waiting.emplace(most, w);
-        }
-    }
+    spread.run([&](Index v) -> double& { return sizes[v]; },
+               [&](Index v, const auto& offer) {
+                   for (auto it = mesh.kernel.cvv_begin(VertexHandle(v)); it.is_valid(); ++it)
+                       offer(it->idx(), (place.row(v) - place.row(it->idx())).norm());
+               });
+}
+
+void limit_gradation(TriangleNet& net, double gradation, const std::vector<Index>& from)
+{
+    SizeSpread spread(gradation);
+    for (const Index v : from)
+        spread.start(v, net.vertices[static_cast<std::size_t>(v)].size);
+    std::vector<Index> near;
+    spread.run([&](Index v) -> double& { return net.vertices[static_cast<std::size_t>(v)].size; },
+               [&](Index v, const auto& offer) {
+                   net.neighbours(v, near);
+                   for (const Index w : near)
+                       offer(w, (net.point(v) - net.point(w)).norm());
+               });
 }
 
 void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes)

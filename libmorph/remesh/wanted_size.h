@@ -1,6 +1,9 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/remesh/triangle_net.h"
+
+#include <vector>
 
 namespace morph {
 
@@ -11,6 +14,10 @@ Eigen::VectorXd own_sizes(const Mesh& mesh);
 /// more than the factor @p gradation, measured along the edges of the mesh.
 /// @param gradation  above 1
 void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes);
+
+/// The same on a net, around some of its vertices only: sizes grow from there by no more than that, whereas
+/// those far away stay as they are however they grow.
+void limit_gradation(TriangleNet& net, double gradation, const std::vector<Index>& from);
 
 /// Scale wanted sizes so that equilateral triangles of them fill the mesh with about this many vertices.
 void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes);
