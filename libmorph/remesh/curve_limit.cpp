@@ -18,6 +18,12 @@ std::size_t at(Index i)
 
 } // namespace
 
+bool on_curve(const TriangleNet& net, Index h)
+{
+    const Index mark = net.tag[at(h)];
+    return mark >= 0 && mark != kKeptTag && net.twin[at(h)] < h;
+}
+
 double least_radius(const Remaking& made, Index h)
 {
     constexpr int kSamples = 4; // along an edge: a curve given may turn much between two nodes
@@ -37,8 +43,7 @@ void limit_by_curves(Remaking& made)
     TriangleNet& net = made.net;
     std::vector<Index> lowered;
     for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        const Index mark = net.tag[at(h)];
-        if (mark < 0 || mark == kKeptTag || net.twin[at(h)] > h)
+        if (!on_curve(net, h))
             continue;
         const std::array<Index, 2> ends{net.from[at(h)], net.to(h)};
         const double own = (net.point(ends[0]) - net.point(ends[1])).norm();

@@ -4,6 +4,9 @@
 
 namespace morph {
 
+/// A halfedge is on a feature curve and stands for its edge.
+bool on_curve(const TriangleNet& net, Index h);
+
 /// Smallest radius of curvature of the feature curve along a halfedge of the net that is on one.
 double least_radius(const Remaking& made, Index h);
 

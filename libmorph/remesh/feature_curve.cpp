@@ -109,11 +109,9 @@ double FeatureCurve::radius(double u) const
 
 double FeatureCurve::spline_radius(double u) const
 {
-    constexpr double kStep = 1e-3; // of the period
-    const double step = kStep * period();
-    const double low = closed_ ? u - step : std::max(u - step, begin());
-    const double high = closed_ ? u + step : std::min(u + step, end());
-    return radius_of_turn(tangent(low), tangent(high), (point(high) - point(low)).norm());
+    const auto d = spline_->derivatives(inside(u), 2);
+    const double speed = d[1].norm(), turn = std::abs(d[1].x() * d[2].y() - d[1].y() * d[2].x());
+    return turn > 0 ? speed * speed * speed / turn : std::numeric_limits<double>::infinity();
 }
 
 double FeatureCurve::polygon_radius(std::size_t i) const

@@ -1,6 +1,7 @@
 #include "libmorph/remesh/wanted_size.h"
 
 #include "libmorph/remesh/remaking.h"
+#include "libmorph/remesh/second_derivative.h"
 
 #include <Eigen/Geometry>
 
@@ -78,6 +79,23 @@ Eigen::VectorXd own_sizes(const Mesh& mesh)
     return sum.cwiseQuotient(count.cwiseMax(1));
 }
 
+Eigen::VectorXd interpolation_sizes(const Mesh& mesh, const Matrix& values)
+{
+    // Of the largest: sizes that differ by a factor of 100. Of range / diagonal^2: rounding of a linear
+    // field.
+    constexpr double kLeast = 1e-6, kLinear = 1e-6;
+    const auto place = points(mesh);
+    const double diagonal2 = (place.colwise().maxCoeff() - place.colwise().minCoeff()).squaredNorm();
+    Eigen::VectorXd bend = Eigen::VectorXd::Constant(vertex_count(mesh), kLinear / diagonal2);
+    for (Index c = 0; c < values.cols(); ++c) {
+        const double range = values.col(c).maxCoeff() - values.col(c).minCoeff();
+        if (range > 0)
+            bend = bend.cwiseMax(largest_second_derivative(mesh, values.col(c) / range));
+    }
+    bend = bend.cwiseMax(kLeast * bend.maxCoeff());
+    return bend.array().pow(-1.0 / 3);
+}
+
 void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes)
 {
     SizeSpread spread(gradation);
@@ -122,17 +140,30 @@ void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes)
     sizes *= std::sqrt(triangles / 2 / vertices); // a triangulation has half as many vertices as triangles
 }
 
-double size_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
+SizeConformity edge_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
 {
-    if (edge_count(mesh) == 0)
-        return 1;
+    SizeConformity found;
     Index good = 0;
+    double farthest = 0;
     for (Index e = 0; e < edge_count(mesh); ++e) {
         const Edge edge = edge_of(mesh, e);
         const double part = 2 * edge.length / (sizes[edge.a] + sizes[edge.b]);
         good += part >= kShortEdge && part <= kLongEdge ? 1 : 0;
+        const double away = std::abs(std::log(part));
+        if (away <= farthest)
+            continue;
+        farthest = away;
+        found.worst = {edge.a, edge.b};
+        found.relative_length = part;
     }
-    return static_cast<double>(good) / edge_count(mesh);
+    if (edge_count(mesh) > 0)
+        found.share = static_cast<double>(good) / edge_count(mesh);
+    return found;
+}
+
+double size_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
+{
+    return edge_conformity(mesh, sizes).share;
 }
 
 } // namespace morph
