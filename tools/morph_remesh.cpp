@@ -72,14 +72,14 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 
 /// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
 /// few. They become those that were wanted in the end.
-Mesh remade(const Mesh& old, const Options& options, Eigen::VectorXd& sizes)
+Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& settings, Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
     constexpr double kNear = 0.02; // of the number wanted
-    const RemeshSettings settings = settings_of(old, options);
+    const Index vertices = wanted_vertices(old, options.sizes);
     RemadeMesh made = remesh(old, sizes, settings);
-    for (int i = 0; i < kCorrections && options.sizes.vertices > 0; ++i) {
-        const double ratio = static_cast<double>(made.data.points.rows()) / options.sizes.vertices;
+    for (int i = 0; i < kCorrections && vertices > 0; ++i) {
+        const double ratio = static_cast<double>(made.data.points.rows()) / vertices;
         if (std::abs(ratio - 1) <= kNear)
             break;
         sizes *= std::sqrt(ratio);
@@ -90,15 +90,16 @@ Mesh remade(const Mesh& old, const Options& options, Eigen::VectorXd& sizes)
 }
 
 /// The new mesh, with edges along every border between groups of elements.
-Mesh remade_between(Mesh& old, const GroupRegions& regions, const Options& options, Eigen::VectorXd& sizes)
+Mesh remade_between(Mesh& old, const GroupRegions& regions, const Options& options,
+                    const RemeshSettings& settings, Eigen::VectorXd& sizes)
 {
     if (regions.groups.size() < 2)
-        return remade(old, options, sizes);
+        return remade(old, options, settings, sizes);
     std::string name = "borders of groups";
     while (find_marker(old.markers, name))
         name += '_';
     old.markers.push_back(region_borders(old, regions, name));
-    Mesh mesh = remade(old, options, sizes);
+    Mesh mesh = remade(old, options, settings, sizes);
     old.markers.pop_back();
     std::erase_if(mesh.markers, [&](const Marker& marker) { return marker.name == name; });
     return mesh;
@@ -139,12 +140,13 @@ int remesh_file(int argc, char** argv)
     Stopwatch watch;
     Mesh old = read_mesh(options.input, options.from);
     const double read = watch.lap();
-    Eigen::VectorXd sizes = wanted_sizes(old, options.sizes, options.input);
+    const RemeshSettings settings = settings_of(old, options);
+    Eigen::VectorXd sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
     const GroupRegions regions = group_regions(old);
     for (const CarriedText& carried : old.carried)
         warn(kTool,
              options.input + ": " + carried.what + " may name vertices that are no more, and was left out");
-    Mesh mesh = remade_between(old, regions, options, sizes);
+    Mesh mesh = remade_between(old, regions, options, settings, sizes);
     const double remeshed = watch.lap();
     const Locator locator(old);
     if (!old.groups.empty())

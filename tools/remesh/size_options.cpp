@@ -2,20 +2,134 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
+#include "libmorph/remesh/chord_size.h"
 #include "libmorph/remesh/wanted_size.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace morph::tools {
 
+namespace {
+
+/// CLI11's own checks are for ranges with their ends.
+const CLI::Validator kAboveOne(
+    [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value > 1 && std::isfinite(value)
+                   ? std::string()
+                   : "'" + text + "' is not a number above 1";
+    },
+    "FLOAT above 1");
+
+const Field& nodal_field(const Mesh& mesh, const std::string& name, const std::string& input)
+{
+    const Field* field = find_field(mesh.fields, name, FieldLocation::vertex);
+    if (field != nullptr)
+        return *field;
+    std::vector<std::string> names;
+    for (const Field& f : mesh.fields)
+        if (f.location == FieldLocation::vertex)
+            names.push_back(f.name);
+    throw InputError(input + ": has no nodal field '" + name + "'" + did_you_mean(name, names));
+}
+
+/// The vertex that comes first in the file of those with a value that is not right; -1: there is none.
+template <typename Right>
+Index first_wrong(const Mesh& mesh, const Matrix& values, const Right& right)
+{
+    Index first = -1;
+    const auto number = [&](Index v) { return mesh.numbering.vertex[static_cast<std::size_t>(v)]; };
+    for (Index v = 0; v < vertex_count(mesh); ++v)
+        if (!std::all_of(values.row(v).begin(), values.row(v).end(), right) &&
+            (first < 0 || number(v) < number(first)))
+            first = v;
+    return first;
+}
+
+std::string place_of(const Mesh& mesh, const std::string& field, Index vertex, const std::string& input)
+{
+    return input + ": field '" + field + "': vertex " +
+           std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(vertex)]);
+}
+
+Eigen::VectorXd sizes_of_field(const Mesh& mesh, const std::string& name, const std::string& input)
+{
+    const Field& field = nodal_field(mesh, name, input);
+    if (field.values.cols() != 1)
+        throw InputError(input + ": field '" + name + "' has " + std::to_string(field.values.cols()) +
+                         " components, but a size has 1");
+    const Index wrong =
+        first_wrong(mesh, field.values, [](double size) { return size > 0 && std::isfinite(size); });
+    if (wrong >= 0)
+        throw InputError(place_of(mesh, name, wrong, input) + " has the wanted size " +
+                         number_text(field.values(wrong, 0)) + ", but it has to be positive");
+    return field.values.col(0);
+}
+
+Eigen::VectorXd adapted_sizes(const Mesh& mesh, const std::string& name, const std::string& input)
+{
+    const Field& field = nodal_field(mesh, name, input);
+    const Index wrong = first_wrong(mesh, field.values, [](double value) { return std::isfinite(value); });
+    if (wrong >= 0)
+        throw InputError(place_of(mesh, name, wrong, input) +
+                         " has a value that is not finite; sizes cannot be adapted to it");
+    return interpolation_sizes(mesh, field.values);
+}
+
+/// Before what is common to all: what one option says, or the mesh has.
+Eigen::VectorXd source_sizes(const Mesh& mesh, const SizeOptions& options, const std::string& input)
+{
+    if (!options.size_field.empty())
+        return sizes_of_field(mesh, options.size_field, input);
+    if (!options.adapt.empty())
+        return adapted_sizes(mesh, options.adapt, input);
+    if (options.size > 0)
+        return Eigen::VectorXd::Constant(vertex_count(mesh), options.size);
+    if (options.curvature > 0) {
+        constexpr double kLargest = 0.1; // of the diagonal of the bounding box
+        const auto place = points(mesh);
+        const double diagonal = (place.colwise().maxCoeff() - place.colwise().minCoeff()).norm();
+        return Eigen::VectorXd::Constant(vertex_count(mesh), kLargest * diagonal);
+    }
+    return own_sizes(mesh);
+}
+
+double gradation_of(const SizeOptions& options)
+{
+    constexpr double kUsual = 1.2;
+    if (options.gradation > 0)
+        return options.gradation;
+    return options.size_field.empty() && options.adapt.empty() && !(options.curvature > 0) ? 0 : kUsual;
+}
+
+} // namespace
+
 void add_size_options(CLI::App& app, SizeOptions& options)
 {
-    CLI::Option* size = app.add_option("--size", options.size, "Edge length wanted everywhere")
-                            ->check(CLI::PositiveNumber)
-                            ->type_name("H");
-    app.add_option("--size-field", options.size_field,
-                   "Nodal field of IN with the edge lengths wanted (default: those IN has)")
-        ->excludes(size)
+    CLI::Option* size =
+        app.add_option("--size", options.size,
+                       "Edge length wanted everywhere; with --curvature or --adapt the largest")
+            ->check(CLI::PositiveNumber)
+            ->type_name("H");
+    CLI::Option* field =
+        app.add_option("--size-field", options.size_field,
+                       "Nodal field of IN with the edge lengths wanted (default: those IN has)")
+            ->excludes(size)
+            ->type_name("NAME");
+    CLI::Option* curvature =
+        app.add_option("--curvature", options.curvature,
+                       "Chord error of edges along boundary curves or on a surface, in lengths of the mesh:\n"
+                       "edges of sqrt(8 E r) at radius r, at most --size, the field, or a tenth of the\n"
+                       "bounding box's diagonal")
+            ->check(CLI::PositiveNumber)
+            ->type_name("E");
+    app.add_option("--adapt", options.adapt,
+                   "Nodal field of IN: the sizes that make its interpolation error least in the mean (L2)\n"
+                   "for --vertices (default: as many as IN has)")
+        ->excludes(field)
+        ->excludes(curvature)
         ->type_name("NAME");
     app.add_option("--scale", options.scale, "Factor on the edge lengths wanted")
         ->capture_default_str()
@@ -24,36 +138,34 @@ void add_size_options(CLI::App& app, SizeOptions& options)
         ->check(CLI::Range(3, 100000000))
         ->type_name("N");
     app.add_option("--gradation", options.gradation,
-                   "Edges that follow each other differ in length by at most this factor, such as 1.2")
-        ->check(CLI::Range(1.01, 100.0));
+                   "Edges that follow each other differ in length by at most this factor (default: 1.2 with\n"
+                   "--size-field, --curvature or --adapt, else as they do in IN)")
+        ->check(kAboveOne);
 }
 
-Eigen::VectorXd wanted_sizes(const Mesh& mesh, const SizeOptions& options, const std::string& input)
+Index wanted_vertices(const Mesh& mesh, const SizeOptions& options)
 {
-    Eigen::VectorXd sizes = own_sizes(mesh);
-    if (options.size > 0)
-        sizes.setConstant(options.size);
-    else if (!options.size_field.empty()) {
-        const Field* field = find_field(mesh.fields, options.size_field, FieldLocation::vertex);
-        std::vector<std::string> names;
-        for (const Field& f : mesh.fields)
-            names.push_back(f.name);
-        if (field == nullptr)
-            throw InputError(input + ": has no nodal field '" + options.size_field + "'" +
-                             did_you_mean(options.size_field, names));
-        if (field->values.cols() != 1)
-            throw InputError(input + ": field '" + options.size_field + "' has " +
-                             std::to_string(field->values.cols()) + " components, but a size has 1");
-        sizes = field->values.col(0);
-    }
+    return options.vertices > 0 || options.adapt.empty() ? options.vertices : mesh.numbering.file_vertices;
+}
+
+Eigen::VectorXd wanted_sizes(const Mesh& mesh, const SizeOptions& options, const FeatureSettings& features,
+                             const std::string& input)
+{
+    Eigen::VectorXd sizes = source_sizes(mesh, options, input);
+    if (options.curvature > 0)
+        sizes = sizes.cwiseMin(chord_sizes(mesh, features, options.curvature));
     sizes *= options.scale;
-    // Each undoes a little of what the other did, less and less.
+    const double gradation = gradation_of(options);
+    const Index vertices = wanted_vertices(mesh, options);
+    // Each undoes a little of what the others did, less and less.
     constexpr int kRounds = 8;
     for (int round = 0; round < kRounds; ++round) {
-        if (options.vertices > 0)
-            scale_to_vertices(mesh, options.vertices, sizes);
-        if (options.gradation > 0)
-            limit_gradation(mesh, options.gradation, sizes);
+        if (vertices > 0)
+            scale_to_vertices(mesh, vertices, sizes);
+        if (options.size > 0 && !options.adapt.empty())
+            sizes = sizes.cwiseMin(options.size);
+        if (gradation > 0)
+            limit_gradation(mesh, gradation, sizes);
     }
     return sizes;
 }
