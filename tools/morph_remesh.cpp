@@ -9,6 +9,7 @@
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/remesh/group_regions.h"
+#include "tools/remesh/keep_option.h"
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
 
@@ -25,6 +26,7 @@ struct Options {
     SizeOptions sizes;
     int iterations = 5;
     double only_bad = 0;
+    std::vector<std::string> keep;
     std::string case_file;
     bool no_fields = false;
     std::string from;
@@ -47,6 +49,7 @@ void add_options(CommandLine& line, Options& options)
                    "and two rings around them; the others keep their numbers")
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("Q");
+    add_keep_option(app, options.keep);
     app.add_option("--case", options.case_file,
                    "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
                    "the smooth curve through the nodes of each marker, corners kept)")
@@ -59,10 +62,11 @@ void add_options(CommandLine& line, Options& options)
 RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 {
     RemeshSettings settings;
-    if (options.only_bad > 0) {
+    if (options.only_bad > 0)
         settings.kept = all_but_bad(mesh, options.only_bad);
+    keep_zones(mesh, kept_zones(options.keep), settings.kept);
+    if (!settings.kept.empty())
         settings.numbering = NumberingRule::keep_old;
-    }
     settings.iterations = options.iterations;
     if (!options.case_file.empty())
         for (const BoundaryEntry& boundary : read_case_file(options.case_file).boundaries)
@@ -133,6 +137,7 @@ int remesh_file(int argc, char** argv)
     add_options(line, options);
     if (!line.parse(argc, argv))
         return kDone;
+    kept_zones(options.keep); // refused before the mesh is read
     Report report(line.common());
     find_format(options.output, options.to);
     OutputFiles::require_writable(options.output);

@@ -2,6 +2,8 @@
 
 #include "libmorph/core/error.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +14,6 @@ namespace {
 constexpr Index kLeaf = 4;        // segments in a leaf
 constexpr std::size_t kDeep = 64; // the tree halves its segments: 32 levels at most
 
-double square(double x)
-{
-    return x * x;
-}
-
 } // namespace
 
 SegmentTree::SegmentTree(const Eigen::Ref<const Points>& points,
@@ -26,8 +23,7 @@ SegmentTree::SegmentTree(const Eigen::Ref<const Points>& points,
     if (segments.empty())
         throw InputError("the distance to moving edges is asked for, but there are no moving edges");
     for (const auto& [a, b] : segments)
-        segments_.push_back(
-            {points(a, 0), points(a, 1), points(b, 0), points(b, 1), static_cast<Index>(segments_.size())});
+        segments_.push_back({points.row(a), points.row(b), static_cast<Index>(segments_.size())});
     nodes_.resize(1);
     build(0, 0, static_cast<Index>(segments_.size()));
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -36,20 +32,19 @@ SegmentTree::SegmentTree(const Eigen::Ref<const Points>& points,
 
 void SegmentTree::build(std::size_t node, Index begin, Index end)
 {
-    Node box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, begin, end, -1};
+    Node box{Eigen::Vector3d::Constant(HUGE_VAL), Eigen::Vector3d::Constant(-HUGE_VAL), begin, end, -1};
     for (Index i = begin; i < end; ++i) {
         const Segment& s = segments_[static_cast<std::size_t>(i)];
-        box.min_x = std::min({box.min_x, s.ax, s.bx});
-        box.min_y = std::min({box.min_y, s.ay, s.by});
-        box.max_x = std::max({box.max_x, s.ax, s.bx});
-        box.max_y = std::max({box.max_y, s.ay, s.by});
+        box.low = box.low.cwiseMin(s.a).cwiseMin(s.b);
+        box.high = box.high.cwiseMax(s.a).cwiseMax(s.b);
     }
     if (end - begin > kLeaf) {
-        const bool along_x = box.max_x - box.min_x >= box.max_y - box.min_y;
+        Eigen::Index axis = 0;
+        (box.high - box.low).maxCoeff(&axis);
         const Index middle = begin + (end - begin) / 2;
         std::nth_element(segments_.begin() + begin, segments_.begin() + middle, segments_.begin() + end,
-                         [along_x](const Segment& s, const Segment& t) {
-                             return along_x ? s.ax + s.bx < t.ax + t.bx : s.ay + s.by < t.ay + t.by;
+                         [axis](const Segment& s, const Segment& t) {
+                             return s.a[axis] + s.b[axis] < t.a[axis] + t.b[axis];
                          });
         box.left = static_cast<Index>(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
@@ -60,45 +55,42 @@ void SegmentTree::build(std::size_t node, Index begin, Index end)
     nodes_[node] = box;
 }
 
-double SegmentTree::distance2(const Segment& s, double x, double y)
+double SegmentTree::distance2(const Segment& s, const Eigen::Vector3d& p)
 {
-    const double dx = s.bx - s.ax, dy = s.by - s.ay;
-    const double length2 = dx * dx + dy * dy;
-    const double along = (x - s.ax) * dx + (y - s.ay) * dy;
+    const Eigen::Vector3d side = s.b - s.a, away = p - s.a;
+    const double length2 = side.squaredNorm(), along = away.dot(side);
     if (along <= 0 || length2 == 0)
-        return square(x - s.ax) + square(y - s.ay);
+        return away.squaredNorm();
     if (along >= length2)
-        return square(x - s.bx) + square(y - s.by);
-    return square((x - s.ax) * dy - (y - s.ay) * dx) / length2;
+        return (p - s.b).squaredNorm();
+    return away.cross(side).squaredNorm() / length2;
 }
 
-double SegmentTree::distance2(const Node& n, double x, double y)
+double SegmentTree::distance2(const Node& n, const Eigen::Vector3d& p)
 {
-    const double dx = std::max({n.min_x - x, x - n.max_x, 0.0});
-    const double dy = std::max({n.min_y - y, y - n.max_y, 0.0});
-    return dx * dx + dy * dy;
+    return (n.low - p).cwiseMax(p - n.high).cwiseMax(0.0).squaredNorm();
 }
 
-SegmentTree::Nearest SegmentTree::nearest(double x, double y, Index hint) const
+SegmentTree::Nearest SegmentTree::nearest(const Eigen::Vector3d& point, Index hint) const
 {
     const Segment* best = &segments_[static_cast<std::size_t>(place_[static_cast<std::size_t>(hint)])];
-    double best2 = distance2(*best, x, y);
+    double best2 = distance2(*best, point);
     std::array<Index, kDeep> waiting{};
     std::size_t count = 1;
     while (count > 0) {
         const Node& node = nodes_[static_cast<std::size_t>(waiting[--count])];
-        if (distance2(node, x, y) >= best2)
+        if (distance2(node, point) >= best2)
             continue;
         if (node.left < 0) {
             for (Index i = node.begin; i < node.end; ++i)
-                if (const double d2 = distance2(segments_[static_cast<std::size_t>(i)], x, y); d2 < best2) {
+                if (const double d2 = distance2(segments_[static_cast<std::size_t>(i)], point); d2 < best2) {
                     best2 = d2;
                     best = &segments_[static_cast<std::size_t>(i)];
                 }
             continue;
         }
         const auto left = static_cast<std::size_t>(node.left);
-        const bool left_first = distance2(nodes_[left], x, y) <= distance2(nodes_[left + 1], x, y);
+        const bool left_first = distance2(nodes_[left], point) <= distance2(nodes_[left + 1], point);
         waiting[count++] = node.left + (left_first ? 1 : 0);
         waiting[count++] = node.left + (left_first ? 0 : 1);
     }

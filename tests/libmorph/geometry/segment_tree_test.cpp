@@ -15,9 +15,9 @@ using namespace morph;
 constexpr double kRoundOff = 1e-15;
 
 /// Distance by minimising over the segment's parameter: not the formula under test.
-double distance_to(const Points& points, const std::array<Index, 2>& segment, const Eigen::Vector2d& x)
+double distance_to(const Points& points, const std::array<Index, 2>& segment, const Eigen::Vector3d& x)
 {
-    const Eigen::Vector2d a = points.row(segment[0]).head<2>(), b = points.row(segment[1]).head<2>();
+    const Eigen::Vector3d a = points.row(segment[0]), b = points.row(segment[1]);
     const double length2 = (b - a).squaredNorm();
     const double t = length2 > 0 ? std::clamp((x - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
     return (x - a - t * (b - a)).norm();
@@ -31,7 +31,7 @@ protected:
             segments.push_back({2 * i, i % 5 == 0 ? 2 * i : 2 * i + 1}); // every fifth is a point
     }
 
-    double brute_force(const Eigen::Vector2d& x) const
+    double brute_force(const Eigen::Vector3d& x) const
     {
         double least = HUGE_VAL;
         for (const auto& segment : segments)
@@ -47,8 +47,8 @@ TEST_P(RandomSegments, TheNearestIsAsNearAsAmongAll)
 {
     const SegmentTree tree(points, segments);
     for (int i = 0; i < 300; ++i) {
-        const Eigen::Vector2d x = 3 * Eigen::Vector2d::Random();
-        const SegmentTree::Nearest found = tree.nearest(x.x(), x.y());
+        const Eigen::Vector3d x = 3 * Eigen::Vector3d::Random();
+        const SegmentTree::Nearest found = tree.nearest(x);
         EXPECT_NEAR(found.distance, brute_force(x), 10 * kRoundOff);
         const auto& segment = segments[static_cast<std::size_t>(found.segment)];
         EXPECT_NEAR(found.distance, distance_to(points, segment, x), 10 * kRoundOff);
@@ -59,8 +59,8 @@ TEST_P(RandomSegments, AHintChangesNothingButTime)
 {
     const SegmentTree tree(points, segments);
     for (Index hint = 0; hint < GetParam(); ++hint) {
-        const Eigen::Vector2d x = Eigen::Vector2d::Random();
-        EXPECT_EQ(tree.nearest(x.x(), x.y(), hint).distance, tree.nearest(x.x(), x.y()).distance);
+        const Eigen::Vector3d x = Eigen::Vector3d::Random();
+        EXPECT_EQ(tree.nearest(x, hint).distance, tree.nearest(x).distance);
     }
 }
 

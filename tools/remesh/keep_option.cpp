@@ -1,0 +1,49 @@
+#include "tools/remesh/keep_option.h"
+
+#include "libmorph/remesh/near_marker.h"
+#include "tools/common/run.h"
+
+#include <cmath>
+
+namespace morph::tools {
+
+void add_keep_option(CLI::App& app, std::vector<std::string>& texts)
+{
+    app.add_option(
+           "--keep", texts,
+           "What stays as it is and keeps its numbers: quads (they always do), or MARKER:DISTANCE, the\n"
+           "elements with a vertex within that distance of the marker; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("WHAT");
+}
+
+std::vector<KeptZone> kept_zones(const std::vector<std::string>& texts)
+{
+    std::vector<KeptZone> zones;
+    for (const std::string& text : texts) {
+        if (text == "quads")
+            continue;
+        const std::size_t colon = text.rfind(':'); // names of markers may have some too
+        double distance = -1;
+        if (colon == std::string::npos || colon == 0 ||
+            !CLI::detail::lexical_cast(text.substr(colon + 1), distance) || !(distance >= 0) ||
+            !std::isfinite(distance))
+            throw UsageError(
+                "--keep needs 'quads', or a marker and a distance of 0 or more as in wall:0.1, not '" + text +
+                "'");
+        zones.push_back({text.substr(0, colon), distance});
+    }
+    return zones;
+}
+
+void keep_zones(const Mesh& mesh, const std::vector<KeptZone>& zones, std::vector<bool>& kept)
+{
+    for (const KeptZone& zone : zones) {
+        const std::vector<bool> near = elements_near(mesh, marker(mesh, zone.marker), zone.distance);
+        kept.resize(near.size(), false);
+        for (std::size_t f = 0; f < near.size(); ++f)
+            kept[f] = kept[f] || near[f];
+    }
+}
+
+} // namespace morph::tools
