@@ -75,7 +75,7 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 }
 
 /// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
-/// few. They become those that were wanted in the end.
+/// few.
 Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& settings, Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
@@ -89,7 +89,6 @@ Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& setti
         sizes *= std::sqrt(ratio);
         made = remesh(old, sizes, settings);
     }
-    sizes = made.sizes;
     return build_mesh(made.data);
 }
 

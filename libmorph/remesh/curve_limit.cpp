@@ -3,9 +3,9 @@
 #include "libmorph/remesh/wanted_size.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace morph {
 
@@ -14,6 +14,37 @@ namespace {
 std::size_t at(Index i)
 {
     return static_cast<std::size_t>(i);
+}
+
+bool is_kept_side(const TriangleNet& net, Index h)
+{
+    return net.from[at(h)] >= 0 && net.tag[at(h)] == kKeptTag;
+}
+
+/// The longest size that each vertex is given: what its curves allow, and no more than the longest kept side
+/// there.
+std::vector<double> most_at_vertices(const Remaking& made)
+{
+    constexpr double kTurn = std::numbers::pi / 6;
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const TriangleNet& net = made.net;
+    std::vector<double> by_curves(net.vertices.size(), kNone), by_kept(net.vertices.size(), 0);
+    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
+        const bool kept = is_kept_side(net, h);
+        if (!kept && !on_curve(net, h))
+            continue;
+        const double own = (net.point(net.from[at(h)]) - net.point(net.to(h))).norm();
+        const double most = kept ? own : std::max(kTurn * least_radius(made, h), own);
+        for (const Index v : {net.from[at(h)], net.to(h)})
+            if (kept)
+                by_kept[at(v)] = std::max(by_kept[at(v)], most);
+            else
+                by_curves[at(v)] = std::min(by_curves[at(v)], most);
+    }
+    for (std::size_t v = 0; v < by_curves.size(); ++v)
+        if (by_kept[v] > 0)
+            by_curves[v] = std::min(by_curves[v], by_kept[v]);
+    return by_curves;
 }
 
 } // namespace
@@ -38,24 +69,15 @@ double least_radius(const Remaking& made, Index h)
 
 void limit_by_curves(Remaking& made)
 {
-    constexpr double kTurn = std::numbers::pi / 6;
     constexpr double kGradation = 1.2;
     TriangleNet& net = made.net;
+    const std::vector<double> most = most_at_vertices(made);
     std::vector<Index> lowered;
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        if (!on_curve(net, h))
-            continue;
-        const std::array<Index, 2> ends{net.from[at(h)], net.to(h)};
-        const double own = (net.point(ends[0]) - net.point(ends[1])).norm();
-        const double most = std::max(kTurn * least_radius(made, h), own);
-        for (const Index v : ends) {
-            double& size = net.vertices[at(v)].size;
-            if (size <= most)
-                continue;
-            size = most;
-            lowered.push_back(v);
+    for (std::size_t v = 0; v < most.size(); ++v)
+        if (most[v] < net.vertices[v].size) {
+            net.vertices[v].size = most[v];
+            lowered.push_back(static_cast<Index>(v));
         }
-    }
     limit_gradation(net, kGradation, lowered);
     for (std::size_t v = 0; v < net.vertices.size(); ++v)
         made.underlay.vertices()[v].size = net.vertices[v].size;
