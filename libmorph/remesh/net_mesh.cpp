@@ -1,6 +1,7 @@
 #include "libmorph/remesh/net_mesh.h"
 
 #include "libmorph/remesh/features.h"
+#include "libmorph/remesh/kept_numbers.h"
 
 #include <algorithm>
 #include <set>
@@ -13,31 +14,6 @@ std::size_t at(Index i)
 {
     return static_cast<std::size_t>(i);
 }
-
-/// Numbers for things, some of which want to keep one they had.
-class Numbers {
-public:
-    /// @param wishes  of each thing in order, -1: none
-    static std::vector<Index> assign(const std::vector<Index>& wishes)
-    {
-        const auto count = static_cast<Index>(wishes.size());
-        std::vector<bool> taken(wishes.size(), false);
-        std::vector<Index> number(wishes.size(), -1);
-        for (std::size_t i = 0; i < wishes.size(); ++i)
-            if (wishes[i] >= 0 && wishes[i] < count && !taken[at(wishes[i])]) {
-                number[i] = wishes[i];
-                taken[at(wishes[i])] = true;
-            }
-        Index next = 0;
-        for (Index& n : number)
-            if (n < 0) {
-                while (taken[at(next)])
-                    ++next;
-                n = next++;
-            }
-        return number;
-    }
-};
 
 class MeshMaker {
 public:
@@ -89,7 +65,7 @@ private:
             add_vertex(file, vertex.point, vertex.below);
             of_net_[v] = file >= 0 ? of_file_[at(file)] : static_cast<Index>(points_.size()) - 1;
         }
-        const std::vector<Index> number = Numbers::assign(wishes_);
+        const std::vector<Index> number = kept_numbers(wishes_);
         const auto renumber = [&](Index& v) { v = v < 0 ? v : number[at(v)]; };
         std::for_each(of_file_.begin(), of_file_.end(), renumber);
         std::for_each(of_net_.begin(), of_net_.end(), renumber);
@@ -123,7 +99,7 @@ private:
                                     of_net_[at(net_.from[at(3 * t + 2)])], -1});
                 wishes.push_back(-1);
             }
-        const std::vector<Index> number = Numbers::assign(wishes);
+        const std::vector<Index> number = kept_numbers(wishes);
         result_.data.elements.resize(elements.size());
         for (std::size_t i = 0; i < elements.size(); ++i)
             result_.data.elements[at(number[i])] = elements[i];
