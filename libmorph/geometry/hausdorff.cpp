@@ -55,7 +55,8 @@ public:
             const ConvexPiece piece = pending_.back();
             pending_.pop_back();
             const Eigen::Vector3d middle = piece.middle();
-            const MeshParts::Nearest near = to_.nearest(middle);
+            const MeshParts::Nearest near = to_.nearest(middle, last_);
+            last_ = near.part;
             extent_.raise(near.distance, middle);
             const Farthest far = farthest(piece, near.part);
             if (pieces >= kMostPieces || far.distance <= limit())
@@ -98,7 +99,7 @@ private:
         const Farthest far = farthest(inside, part);
         MeshParts::Nearest near{part, 0};
         if (far.distance > limit()) {
-            near = to_.nearest(far.corner);
+            near = to_.nearest(far.corner, part);
             extent_.raise(near.distance, far.corner);
         }
         if (far.distance > limit())
@@ -126,6 +127,7 @@ private:
     const Precision& precision_;
     Extent& extent_;
     std::vector<ConvexPiece> pending_;
+    std::size_t last_ = 0; ///< nearest part of the last piece
 };
 
 /// Search every @p stride-th part, each block of them from what was known before.

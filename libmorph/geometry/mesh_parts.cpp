@@ -4,41 +4,49 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace morph {
 
-MeshParts::MeshParts(const Mesh& mesh) : points_(points(mesh))
+MeshParts::MeshParts(const Mesh& mesh) : points_(points(mesh)), planar_(mesh.dimension == 2)
 {
-    if (mesh.dimension == 2)
+    if (planar_)
         add_segments(mesh);
     else
         add_triangles(mesh);
+    build_boxes();
 }
 
 void MeshParts::add_segments(const Mesh& mesh)
 {
-    std::vector<std::array<Index, 2>> segments;
     for (const Marker& marker : mesh.markers)
-        segments.insert(segments.end(), marker.edges.begin(), marker.edges.end());
+        for (const auto& [a, b] : marker.edges)
+            parts_.push_back({a, b, b});
     for (const auto edge : mesh.kernel.edges())
         if (edge.is_boundary())
-            segments.push_back({edge.v0().idx(), edge.v1().idx()});
-    for (const auto& [a, b] : segments)
-        parts_.push_back({a, b, b});
-    segments_.emplace(points_, segments);
+            parts_.push_back({edge.v0().idx(), edge.v1().idx(), edge.v1().idx()});
 }
 
 void MeshParts::add_triangles(const Mesh& mesh)
 {
     for (const Element& e : element_table(mesh)) {
-        first_.push_back(parts_.size());
         parts_.push_back({e[0], e[1], e[2]});
         if (e[3] >= 0)
             parts_.push_back({e[0], e[2], e[3]});
     }
-    first_.push_back(parts_.size());
-    triangles_.emplace(mesh);
+}
+
+void MeshParts::build_boxes()
+{
+    const std::size_t leaves = std::bit_ceil((parts_.size() + kRun - 1) / kRun);
+    boxes_.resize(2 * leaves);
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        for (std::size_t k = 0; k < 3; ++k)
+            boxes_[leaves + part / kRun].extend(corner(part, k));
+    for (std::size_t box = leaves - 1; box > 0; --box)
+        boxes_[box] = boxes_[2 * box].merged(boxes_[2 * box + 1]);
 }
 
 Eigen::Vector3d MeshParts::corner(std::size_t part, std::size_t k) const
@@ -54,27 +62,49 @@ ConvexPiece MeshParts::piece(std::size_t part) const
     return piece;
 }
 
-double MeshParts::distance(std::size_t part, const Eigen::Vector3d& p) const
+double MeshParts::distance2(std::size_t part, const Eigen::Vector3d& p) const
 {
-    return std::sqrt(closest_on_triangle({corner(part, 0), corner(part, 1), corner(part, 2)}, p).distance2);
+    return closest_on_triangle({corner(part, 0), corner(part, 1), corner(part, 2)}, p).distance2;
 }
 
-MeshParts::Nearest MeshParts::nearest(const Eigen::Vector3d& p) const
+double MeshParts::distance(std::size_t part, const Eigen::Vector3d& p) const
 {
-    if (segments_) {
-        const SegmentTree::Nearest found = segments_->nearest(p.x(), p.y());
-        return {static_cast<std::size_t>(found.segment), found.distance};
+    return std::sqrt(distance2(part, p));
+}
+
+MeshParts::Nearest MeshParts::nearest(const Eigen::Vector3d& p, std::size_t hint) const
+{
+    double best2 = distance2(hint, p);
+    improve(1, p, hint, best2);
+    return {hint, std::sqrt(best2)};
+}
+
+void MeshParts::improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& best, double& best2) const
+{
+    const std::size_t leaves = boxes_.size() / 2;
+    if (box >= leaves) {
+        const std::size_t first = (box - leaves) * kRun;
+        for (std::size_t part = first; part < std::min(first + kRun, parts_.size()); ++part)
+            if (const double d2 = distance2(part, p); d2 < best2) {
+                best = part;
+                best2 = d2;
+            }
+        return;
     }
-    const ElementTree::Closest found = triangles_->closest(p);
-    const std::size_t first = first_[static_cast<std::size_t>(found.face)];
-    const std::size_t last = first_[static_cast<std::size_t>(found.face) + 1] - 1;
-    return {distance(last, p) < distance(first, p) ? last : first, found.distance};
+    // An empty box is infinitely far.
+    std::array<std::size_t, 2> half{2 * box, 2 * box + 1};
+    std::array<double, 2> away{boxes_[half[0]].squaredExteriorDistance(p),
+                               boxes_[half[1]].squaredExteriorDistance(p)};
+    const std::size_t nearer = away[1] < away[0] ? 1 : 0;
+    for (const std::size_t side : {nearer, 1 - nearer})
+        if (away[side] < best2)
+            improve(half[side], p, best, best2);
 }
 
 Eigen::Vector3d MeshParts::normal_towards(std::size_t part, const Eigen::Vector3d& p) const
 {
     const Eigen::Vector3d a = corner(part, 0), ab = corner(part, 1) - a, ac = corner(part, 2) - a;
-    const Eigen::Vector3d normal = segments_ ? Eigen::Vector3d(-ab.y(), ab.x(), 0) : ab.cross(ac);
+    const Eigen::Vector3d normal = planar_ ? Eigen::Vector3d(-ab.y(), ab.x(), 0) : ab.cross(ac);
     return normal.dot(p - a) < 0 ? -normal.normalized() : normal.normalized();
 }
 
@@ -94,7 +124,7 @@ MeshParts::Plane MeshParts::bisector(std::size_t one, std::size_t other, const E
 std::vector<MeshParts::Plane> MeshParts::walls(std::size_t part) const
 {
     const Eigen::Vector3d a = corner(part, 0), b = corner(part, 1), c = corner(part, 2);
-    if (segments_)
+    if (planar_)
         return {{a, b - a}, {b, a - b}};
     const Eigen::Vector3d up = (b - a).cross(c - a);
     if (up.isZero(0))

@@ -1,19 +1,19 @@
 #pragma once
 
 #include "libmorph/geometry/convex_piece.h"
-#include "libmorph/geometry/element_tree.h"
-#include "libmorph/geometry/segment_tree.h"
 #include "libmorph/mesh/mesh.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace morph {
 
 /// What distances between meshes are taken of: the triangles of a surface, its quads as two along the line
 /// from their first to their third corner; of a planar mesh the segments of its border and of its markers.
-/// Each is found by place.
+/// Each is found by place, through boxes around runs of parts: elements are numbered along a space-filling
+/// curve, so that runs lie together.
 class MeshParts {
 public:
     /// @param mesh  with at least one element; outlives the parts and is not moved
@@ -26,7 +26,8 @@ public:
         std::size_t part = 0;
         double distance = 0;
     };
-    Nearest nearest(const Eigen::Vector3d& p) const;
+    /// @param hint  a part likely to be near: it saves time, and is the answer where others are as near
+    Nearest nearest(const Eigen::Vector3d& p, std::size_t hint = 0) const;
 
     /// From a point to one part.
     double distance(std::size_t part, const Eigen::Vector3d& p) const;
@@ -43,17 +44,22 @@ public:
     Plane bisector(std::size_t one, std::size_t other, const Eigen::Vector3d& p) const;
 
 private:
+    static constexpr std::size_t kRun = 4; ///< parts in a box of the lowest level
+
     void add_segments(const Mesh& mesh);
     void add_triangles(const Mesh& mesh);
+    void build_boxes();
+    double distance2(std::size_t part, const Eigen::Vector3d& p) const;
+    void improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& best, double& best2) const;
     /// Unit normal of a part on the side of a point, zero where it has no size.
     Eigen::Vector3d normal_towards(std::size_t part, const Eigen::Vector3d& p) const;
     Eigen::Vector3d corner(std::size_t part, std::size_t k) const;
 
     Eigen::Map<const Points> points_;
+    bool planar_;
     std::vector<std::array<Index, 3>> parts_; ///< rows of points_; of a segment the last twice
-    std::vector<std::size_t> first_;          ///< of each face; empty for segments
-    std::optional<ElementTree> triangles_;
-    std::optional<SegmentTree> segments_;
+    /// Box i holds boxes 2 i and 2 i + 1, the last half of them a run of parts each; 0 is none.
+    std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
 } // namespace morph
