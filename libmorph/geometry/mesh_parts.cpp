@@ -40,11 +40,11 @@ void MeshParts::add_triangles(const Mesh& mesh)
 
 void MeshParts::build_boxes()
 {
-    const std::size_t leaves = std::bit_ceil((parts_.size() + kRun - 1) / kRun);
+    const std::size_t leaves = std::bit_ceil(parts_.size());
     boxes_.resize(2 * leaves);
     for (std::size_t part = 0; part < parts_.size(); ++part)
         for (std::size_t k = 0; k < 3; ++k)
-            boxes_[leaves + part / kRun].extend(corner(part, k));
+            boxes_[leaves + part].extend(corner(part, k));
     for (std::size_t box = leaves - 1; box > 0; --box)
         boxes_[box] = boxes_[2 * box].merged(boxes_[2 * box + 1]);
 }
@@ -83,12 +83,10 @@ void MeshParts::improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& 
 {
     const std::size_t leaves = boxes_.size() / 2;
     if (box >= leaves) {
-        const std::size_t first = (box - leaves) * kRun;
-        for (std::size_t part = first; part < std::min(first + kRun, parts_.size()); ++part)
-            if (const double d2 = distance2(part, p); d2 < best2) {
-                best = part;
-                best2 = d2;
-            }
+        if (const double d2 = distance2(box - leaves, p); d2 < best2) {
+            best = box - leaves;
+            best2 = d2;
+        }
         return;
     }
     // An empty box is infinitely far.

@@ -44,8 +44,6 @@ public:
     Plane bisector(std::size_t one, std::size_t other, const Eigen::Vector3d& p) const;
 
 private:
-    static constexpr std::size_t kRun = 4; ///< parts in a box of the lowest level
-
     void add_segments(const Mesh& mesh);
     void add_triangles(const Mesh& mesh);
     void build_boxes();
@@ -58,7 +56,7 @@ private:
     Eigen::Map<const Points> points_;
     bool planar_;
     std::vector<std::array<Index, 3>> parts_; ///< rows of points_; of a segment the last twice
-    /// Box i holds boxes 2 i and 2 i + 1, the last half of them a run of parts each; 0 is none.
+    /// Box i holds boxes 2 i and 2 i + 1, the last half of them a part each; 0 is none.
     std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
