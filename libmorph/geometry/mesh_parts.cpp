@@ -99,11 +99,16 @@ void MeshParts::improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& 
             improve(half[side], p, best, best2);
 }
 
-Eigen::Vector3d MeshParts::normal_towards(std::size_t part, const Eigen::Vector3d& p) const
+Eigen::Vector3d MeshParts::normal(std::size_t part) const
 {
     const Eigen::Vector3d a = corner(part, 0), ab = corner(part, 1) - a, ac = corner(part, 2) - a;
-    const Eigen::Vector3d normal = planar_ ? Eigen::Vector3d(-ab.y(), ab.x(), 0) : ab.cross(ac);
-    return normal.dot(p - a) < 0 ? -normal.normalized() : normal.normalized();
+    return planar_ ? Eigen::Vector3d(-ab.y(), ab.x(), 0) : ab.cross(ac);
+}
+
+Eigen::Vector3d MeshParts::normal_towards(std::size_t part, const Eigen::Vector3d& p) const
+{
+    const Eigen::Vector3d unit = normal(part).normalized();
+    return unit.dot(p - corner(part, 0)) < 0 ? -unit : unit;
 }
 
 MeshParts::Plane MeshParts::bisector(std::size_t one, std::size_t other, const Eigen::Vector3d& p) const
@@ -124,7 +129,7 @@ std::vector<MeshParts::Plane> MeshParts::walls(std::size_t part) const
     const Eigen::Vector3d a = corner(part, 0), b = corner(part, 1), c = corner(part, 2);
     if (planar_)
         return {{a, b - a}, {b, a - b}};
-    const Eigen::Vector3d up = (b - a).cross(c - a);
+    const Eigen::Vector3d up = normal(part);
     if (up.isZero(0))
         return {};
     return {{a, up.cross(b - a)}, {b, up.cross(c - b)}, {c, up.cross(a - c)}};

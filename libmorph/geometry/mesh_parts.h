@@ -32,6 +32,9 @@ public:
     /// From a point to one part.
     double distance(std::size_t part, const Eigen::Vector3d& p) const;
 
+    /// Of a triangle, twice its area long; of a segment to the left of it, as long as it is.
+    Eigen::Vector3d normal(std::size_t part) const;
+
     /// Planes that stand on a part along its sides (of a segment: at its ends), as a point and the normal
     /// that points to the part; none where the part has no size.
     struct Plane {
