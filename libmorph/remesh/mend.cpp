@@ -59,7 +59,7 @@ private:
             return false;
         const Eigen::Vector3d &a = net_.point(net_.from[at(h)]), &b = net_.point(net_.to(h)),
                               &c = net_.point(net_.apex(h)), &d = net_.point(net_.apex(g));
-        const Eigen::Vector3d normal = net_normal(made_, h / 3);
+        const Eigen::Vector3d normal = surface_normal(made_, h / 3);
         if (!may_replace(made_, c, a, d, normal) || !may_replace(made_, d, b, c, normal) || joined(h))
             return false;
         const double before = std::min(triangle_quality(made_, h / 3), triangle_quality(made_, g / 3));

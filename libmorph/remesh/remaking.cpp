@@ -55,15 +55,27 @@ Eigen::Vector3d net_normal(const Remaking& made, Index t)
     return (net.point(net.from[at(3 * t + 1)]) - a).cross(net.point(net.from[at(3 * t + 2)]) - a);
 }
 
+Eigen::Vector3d surface_normal(const Remaking& made, Index t)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    if (made.planar)
+        return sum;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        if (const NetVertex& vertex = made.net.vertices[at(made.net.from[at(h)])];
+            vertex.curve == kFreeVertex)
+            sum += made.underlay.normal(vertex.below);
+    return sum.isZero(0) ? net_normal(made, t).normalized() : sum.normalized();
+}
+
 bool may_replace(const Remaking& made, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                 const Eigen::Vector3d& c, const Eigen::Vector3d& old_normal)
+                 const Eigen::Vector3d& c, const Eigen::Vector3d& surface)
 {
     constexpr double kCosine = 0.5;
     if (made.planar)
         return orientation(in_plane(a), in_plane(b), in_plane(c)) > 0;
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     const double length = normal.norm();
-    return length > 0 && normal.dot(old_normal) >= kCosine * length * old_normal.norm();
+    return length > 0 && normal.dot(surface) >= kCosine * length;
 }
 
 std::array<double, 2> edge_parameters(const Remaking& made, Index h)
@@ -89,7 +101,7 @@ double star_quality(const Remaking& made, Index vertex, const Eigen::Vector3d& p
         if (worst < 0)
             return;
         const Eigen::Vector3d &b = net.point(net.to(h)), &c = net.point(net.apex(h));
-        worst = may_replace(made, point, b, c, net_normal(made, h / 3))
+        worst = may_replace(made, point, b, c, surface_normal(made, h / 3))
                     ? std::min(worst, triangle_quality(point, b, c, made.planar))
                     : -1;
     });

@@ -33,10 +33,15 @@ double triangle_quality(const Remaking& made, Index triangle);
 /// Length of an edge over the mean of the lengths wanted at its ends.
 double relative_length(const TriangleNet& net, Index a, Index b);
 
-/// A triangle may take the place of another: in the plane its area is positive (exact), on a surface its
-/// normal is within 60 degrees of that of the one it replaces.
+/// A triangle may be there: in the plane its area is positive (exact), on a surface its normal is within 60
+/// degrees of that of the surface.
+/// @param normal  surface_normal() of the triangle it replaces
 bool may_replace(const Remaking& made, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                 const Eigen::Vector3d& c, const Eigen::Vector3d& old_normal);
+                 const Eigen::Vector3d& c, const Eigen::Vector3d& normal);
+
+/// Unit normal of the input's surface under a triangle of the net: the mean of those under its corners, but
+/// for the ones on features, which are between two; its own when all are. Not needed, and zero, in the plane.
+Eigen::Vector3d surface_normal(const Remaking& made, Index triangle);
 
 /// Normal of a triangle of the net, not scaled; not needed, and zero, in the plane.
 Eigen::Vector3d net_normal(const Remaking& made, Index triangle);

@@ -127,6 +127,8 @@ RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSe
     require_positive(made, mesh, kept);
     find_features(made, mesh, settings.features);
     limit_by_curves(made);
+    if (!planar)
+        made.underlay.find_normals(made.net.tag);
     const TriangleNet before = made.net;
     remake(made, settings.iterations);
     RemadeMesh remade = mesh_of(made, before, mesh, kept, settings.numbering);

@@ -58,7 +58,7 @@ bool try_collapse(Remaking& made, Index h, Index keep, double least_quality, dou
         if (out / 3 == h / 3 || (g >= 0 && out / 3 == g / 3))
             return;
         const Index a = net.to(out), b = net.apex(out);
-        fits = may_replace(made, goal, net.point(a), net.point(b), net_normal(made, out / 3)) &&
+        fits = may_replace(made, goal, net.point(a), net.point(b), surface_normal(made, out / 3)) &&
                relative_length(net, keep, a) < longest && relative_length(net, keep, b) < longest;
         after = std::min(after, triangle_quality(goal, net.point(a), net.point(b), made.planar));
     });
@@ -98,7 +98,7 @@ Index try_split(Remaking& made, Index h)
     }
     for (const Index half : {h, net.twin[at(h)]})
         if (half >= 0) {
-            const Eigen::Vector3d normal = net_normal(made, half / 3);
+            const Eigen::Vector3d normal = surface_normal(made, half / 3);
             const Eigen::Vector3d &from = net.point(net.from[at(half)]), &to = net.point(net.to(half)),
                                   &top = net.point(net.apex(half));
             if (!may_replace(made, from, middle.point, top, normal) ||

@@ -90,10 +90,27 @@ Underlay::Place Underlay::find(const Eigen::Vector3d& point, Index near) const
     return planar_ ? find_in_plane(point, near) : find_closest(point, near);
 }
 
+void Underlay::find_normals(const std::vector<Index>& tag)
+{
+    constexpr int kRings = 2;
+    normals_.clear();
+    for (Index t = 0; t < net_.triangle_slots(); ++t) {
+        const auto c = corners(net_, t);
+        normals_.push_back((c[1] - c[0]).cross(c[2] - c[0]));
+    }
+    for (int ring = 0; ring < kRings; ++ring) {
+        const std::vector<Eigen::Vector3d> before = normals_;
+        for (std::size_t h = 0; h < tag.size(); ++h)
+            if (tag[h] == kNoTag && net_.twin[h] >= 0)
+                normals_[h / 3] += before[at(net_.twin[h] / 3)];
+    }
+    for (Eigen::Vector3d& normal : normals_)
+        normal.normalize();
+}
+
 Eigen::Vector3d Underlay::normal(Index t) const
 {
-    const auto c = corners(net_, t);
-    return (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+    return normals_.empty() ? Eigen::Vector3d::Zero() : normals_[at(t)];
 }
 
 } // namespace morph

@@ -27,7 +27,11 @@ public:
     std::vector<NetVertex>& vertices() { return net_.vertices; }
     const TriangleNet& net() const { return net_; }
 
-    /// Unit normal of a triangle; zero when it has no area.
+    /// Find the unit normals of the surface: at each triangle the mean of those around it by area, not across
+    /// feature edges, so that a sliver of a scanned surface has that of its neighbours.
+    /// @param tag  of each halfedge of the net, see TriangleNet::tag
+    void find_normals(const std::vector<Index>& tag);
+    /// Zero before find_normals().
     Eigen::Vector3d normal(Index triangle) const;
 
 private:
@@ -36,6 +40,7 @@ private:
     double size_at(Index triangle, const Eigen::Vector3d& point) const;
 
     TriangleNet net_;
+    std::vector<Eigen::Vector3d> normals_;
     bool planar_;
 };
 
