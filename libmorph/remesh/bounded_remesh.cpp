@@ -77,18 +77,21 @@ void limit_on_border(const Mesh& mesh, const ChordLimit& limit)
     }
 }
 
-/// Lower the sizes around places that are too far away: the distance goes with the square of the size.
+/// Lower the sizes around places that are too far away.
+/// @param power  of the size that the distance goes with
 void lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<DistantPlace>& places,
-                  double distance, Eigen::VectorXd& sizes)
+                  double distance, double power, Eigen::VectorXd& sizes)
 {
     constexpr double kSafety = 0.9;
+    constexpr double kReach = 2;           // times the size there
     constexpr double kSmallestStep = 0.25; // a place very far away says little about the size that will do
     const Eigen::VectorXd old = sizes;
     std::vector<Index> faces;
     for (const DistantPlace& place : places) {
-        const double factor = std::max(kSafety * std::sqrt(distance / place.distance), kSmallestStep);
+        const double factor =
+            std::max(kSafety * std::pow(distance / place.distance, 1 / power), kSmallestStep);
         const Element on = element_corners(mesh, tree.closest(place.point).face);
-        const double reach = std::max({old[on[0]], old[on[1]], old[on[2]]});
+        const double reach = kReach * std::max({old[on[0]], old[on[1]], old[on[2]]});
         Eigen::AlignedBox3d box(place.point);
         box.min().array() -= reach;
         box.max().array() += reach;
@@ -118,14 +121,15 @@ RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& siz
     if (!(distance > 0))
         throw InputError("the distance from the input to keep is " + number_text(distance) +
                          ", but it has to be positive");
-    limit_chord_error(mesh, distance, settings.features, sizes);
+    limit_chord_error(mesh, distance / (kLongEdge * kLongEdge), settings.features, sizes);
     RemadeMesh made = remesh(mesh, sizes, settings);
     const ElementTree tree(mesh);
     for (int round = 0; round < kRounds; ++round) {
         const std::vector<DistantPlace> places = places_beyond(mesh, build_mesh(made.data), distance);
         if (places.empty())
             break;
-        lower_around(mesh, tree, places, distance, sizes);
+        // A smooth surface is cut off by the square of the size, a vertex of a coarse one by the size itself.
+        lower_around(mesh, tree, places, distance, round == 0 ? 2 : 1, sizes);
         made = remesh(mesh, sizes, settings);
     }
     return made;

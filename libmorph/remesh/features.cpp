@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace morph {
 
@@ -81,13 +82,42 @@ private:
     void collect_creases()
     {
         const double cosine = std::cos(settings_.crease_angle * std::numbers::pi / 180);
+        std::set<Index> creases;
         for (Index h = 0; h < static_cast<Index>(net_.from.size()); ++h) {
             const Index g = net_.twin[at(h)];
             if (g < h)
                 continue;
             const Eigen::Vector3d m = net_normal(made_, h / 3), n = net_normal(made_, g / 3);
-            if (m.dot(n) < cosine * m.norm() * n.norm())
-                edges_[h];
+            if (m.dot(n) < cosine * m.norm() * n.norm() && edges_.try_emplace(h).second)
+                creases.insert(h);
+        }
+        drop_noise(creases);
+    }
+
+    /// A few creases that are connected to nothing else are slivers of a scanned surface, standing upright:
+    /// the smallest thing with creases is a tetrahedron.
+    void drop_noise(const std::set<Index>& creases)
+    {
+        constexpr std::size_t kFewest = 6;
+        std::map<Index, std::vector<Index>> at_vertex;
+        for (const auto& [h, membership] : edges_)
+            for (const Index v : {net_.from[at(h)], net_.to(h)})
+                at_vertex[v].push_back(h);
+        std::set<Index> left = creases;
+        while (!left.empty()) {
+            std::vector<Index> connected{*left.begin()};
+            left.erase(left.begin());
+            bool only_creases = true;
+            for (std::size_t i = 0; i < connected.size(); ++i)
+                for (const Index v : {net_.from[at(connected[i])], net_.to(connected[i])})
+                    for (const Index other : at_vertex[v]) {
+                        if (left.erase(other) > 0)
+                            connected.push_back(other);
+                        only_creases = only_creases && creases.count(other) > 0;
+                    }
+            if (only_creases && connected.size() < kFewest)
+                for (const Index h : connected)
+                    edges_.erase(h);
         }
     }
 
