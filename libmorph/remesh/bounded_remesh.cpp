@@ -117,7 +117,7 @@ void limit_chord_error(const Mesh& mesh, double error, const FeatureSettings& fe
 RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
                          const RemeshSettings& settings)
 {
-    constexpr int kRounds = 4;
+    constexpr int kRounds = 6;
     if (!(distance > 0))
         throw InputError("the distance from the input to keep is " + number_text(distance) +
                          ", but it has to be positive");

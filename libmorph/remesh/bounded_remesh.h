@@ -16,7 +16,7 @@ void limit_chord_error(const Mesh& mesh, double error, const FeatureSettings& fe
 /// that can be met.
 ///
 /// Sizes are limited by the chord error of the longest edges first. Then the distance is measured, sizes are lowered around the
-/// places that are farther away, and the mesh is made again, four times at most. What is left beyond the
+/// places that are farther away, and the mesh is made again, six times at most. What is left beyond the
 /// distance is for the caller to find with hausdorff_distance().
 ///
 /// @param distance  positive; length unit of the mesh
