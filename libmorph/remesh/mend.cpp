@@ -158,13 +158,19 @@ private:
         const Index middle = try_split(made_, longest);
         if (middle < 0)
             return false;
+        improve_place(middle);
+        if (star_quality(made_, middle, net_.point(middle)) <= before) {
+            // As it was: the triangles that are new go, or they would be looked at in turn.
+            const Index half = net_.vertices[at(middle)].out;
+            net_.collapse(half, net_.to(half));
+            return false;
+        }
         std::vector<Index> sides;
         net_.around(middle, [&](Index h) { sides.push_back(TriangleNet::next(h)); });
-        improve_place(middle);
         for (const Index side : sides)
             improve_by_flip(side);
         improve_place(middle);
-        return star_quality(made_, middle, net_.point(middle)) > before;
+        return true;
     }
 
     double length(Index h) const { return (net_.point(net_.to(h)) - net_.point(net_.from[at(h)])).norm(); }

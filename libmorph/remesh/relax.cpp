@@ -12,6 +12,10 @@ namespace {
 constexpr double kGoodStar =
     0.6; // a move may lower the worst of a star down to this, for the sake of the others
 
+/// A vertex nearer to where it wants to be than this part of the size wanted stays, so that a mesh that was
+/// relaxed once is left as it is and does not drift on.
+constexpr double kSettled = 0.04;
+
 std::size_t at(Index i)
 {
     return static_cast<std::size_t>(i);
@@ -51,6 +55,8 @@ void relax_free(Remaking& made, Index v)
     const Eigen::Vector3d old = made.net.point(v);
     const Eigen::Vector3d goal = wanted_place(made, v);
     const double before = std::min(star_quality(made, v, old), kGoodStar);
+    if (before == kGoodStar && (goal - old).norm() < kSettled * made.net.vertices[at(v)].size)
+        return;
     double step = 1;
     for (int i = 0; i <= kHalvings; ++i, step /= 2) {
         NetVertex moved = made.net.vertices[at(v)];
@@ -99,8 +105,11 @@ void relax_on_curve(Remaking& made, Index v)
 {
     constexpr double kDamping = 0.5;
     const NetVertex& old = made.net.vertices[at(v)];
-    const double u = old.u + kDamping * (wanted_parameter(made, v) - old.u);
+    const double step = kDamping * (wanted_parameter(made, v) - old.u);
     const FeatureCurve& line = made.curves[at(old.curve)];
+    if (std::abs(step) * line.tangent(old.u).norm() < kDamping * kSettled * old.size)
+        return;
+    const double u = old.u + step;
     if (!line.closed() && (u <= line.begin() || u >= line.end()))
         return;
     NetVertex moved = old;

@@ -134,15 +134,9 @@ TEST(CurveLimit, TrianglesBesideKeptElementsAreNotFlatHoweverLongEdgesAreAsked)
         settings.kept.push_back(nearest < 1.3);
     }
     const Mesh made = build_mesh(remesh(mesh, uniform(mesh, 1), settings).data);
-    std::vector<double> remade;
     const std::vector<double> quality = triangle_qualities(made);
-    for (Index f = 0; f < element_count(made); ++f) {
-        const Element e = element_corners(made, f);
-        if (((points(made).row(e[0]) + points(made).row(e[1]) + points(made).row(e[2])) / 3).norm() > 1.5)
-            remade.push_back(quality[static_cast<std::size_t>(f)]);
-    }
-    EXPECT_GT(*std::min_element(remade.begin(), remade.end()), 0.5);
-    EXPECT_LT(remade.size(), 2000U); // of some 3000
+    EXPECT_GT(*std::min_element(quality.begin(), quality.end()), 0.5);
+    EXPECT_LT(element_count(made), element_count(mesh) * 2 / 3);
 }
 
 } // namespace
