@@ -31,6 +31,14 @@ Index edge_count(const Mesh& mesh)
     return static_cast<Index>(mesh.kernel.n_edges());
 }
 
+/// There is a triangle on the left of a halfedge.
+bool is_triangle(const Mesh& mesh, Index halfedge)
+{
+    const HalfedgeHandle h(halfedge);
+    const auto after = [&](HalfedgeHandle side) { return mesh.kernel.next_halfedge_handle(side); };
+    return !mesh.kernel.is_boundary(h) && after(after(after(h))) == h;
+}
+
 /// Carries small sizes on from vertex to vertex, the smallest first, as Dijkstra's algorithm does.
 class SizeSpread {
 public:
@@ -69,14 +77,17 @@ private:
 Eigen::VectorXd own_sizes(const Mesh& mesh)
 {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(vertex_count(mesh)), count = sum;
+    Eigen::VectorXd quad_sum = sum, quad_count = sum;
     for (Index e = 0; e < edge_count(mesh); ++e) {
         const Edge edge = edge_of(mesh, e);
+        const bool of_triangle = is_triangle(mesh, 2 * e) || is_triangle(mesh, 2 * e + 1);
         for (const Index v : {edge.a, edge.b}) {
-            sum[v] += edge.length;
-            count[v] += 1;
+            (of_triangle ? sum : quad_sum)[v] += edge.length;
+            (of_triangle ? count : quad_count)[v] += 1;
         }
     }
-    return sum.cwiseQuotient(count.cwiseMax(1));
+    return (count.array() > 0)
+        .select(sum.array() / count.array().max(1), quad_sum.array() / quad_count.array().max(1));
 }
 
 Eigen::VectorXd interpolation_sizes(const Mesh& mesh, const Matrix& values)
