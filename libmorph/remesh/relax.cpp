@@ -15,6 +15,7 @@ constexpr double kGoodStar =
 /// A vertex nearer to where it wants to be than this part of the size wanted stays, so that a mesh that was
 /// relaxed once is left as it is and does not drift on.
 constexpr double kSettled = 0.04;
+constexpr double kSettledStar = 0.8; // unless a triangle there is worse
 
 std::size_t at(Index i)
 {
@@ -54,8 +55,8 @@ void relax_free(Remaking& made, Index v)
     constexpr int kHalvings = 2;
     const Eigen::Vector3d old = made.net.point(v);
     const Eigen::Vector3d goal = wanted_place(made, v);
-    const double before = std::min(star_quality(made, v, old), kGoodStar);
-    if (before == kGoodStar && (goal - old).norm() < kSettled * made.net.vertices[at(v)].size)
+    const double quality = star_quality(made, v, old), before = std::min(quality, kGoodStar);
+    if (quality > kSettledStar && (goal - old).norm() < kSettled * made.net.vertices[at(v)].size)
         return;
     double step = 1;
     for (int i = 0; i <= kHalvings; ++i, step /= 2) {
