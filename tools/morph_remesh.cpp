@@ -2,12 +2,13 @@
 //   morph-remesh wing.su2 -o coarse.su2 --scale 1.5
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
-#include "libmorph/remap/remap.h"
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/remesh.h"
 #include "tools/case/case_file.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
+#include "tools/remesh/carried_fields.h"
+#include "tools/remesh/cut_out_inverted.h"
 #include "tools/remesh/group_regions.h"
 #include "tools/remesh/keep_option.h"
 #include "tools/remesh/remesh_report.h"
@@ -29,6 +30,7 @@ struct Options {
     std::vector<std::string> keep;
     std::string case_file;
     bool no_fields = false;
+    bool fresh = false;
     std::string from;
     std::string to;
 };
@@ -44,16 +46,22 @@ void add_options(CommandLine& line, Options& options)
     app.add_option("--iterations", options.iterations, "Rounds of splitting, collapsing and relaxing")
         ->capture_default_str()
         ->check(CLI::Range(1, 100));
-    app.add_option("--only-bad", options.only_bad,
-                   "Touch only triangles of less than this quality (4 sqrt(3) area / sum of squared sides)\n"
-                   "and two rings around them; the others keep their numbers")
-        ->check(CLI::Range(0.0, 1.0))
-        ->type_name("Q");
+    CLI::Option* only_bad =
+        app.add_option(
+               "--only-bad", options.only_bad,
+               "Touch only triangles of less than this quality (4 sqrt(3) area / sum of squared sides)\n"
+               "and two rings around them; the others keep their numbers")
+            ->check(CLI::Range(0.0, 1.0))
+            ->type_name("Q");
     add_keep_option(app, options.keep);
     app.add_option("--case", options.case_file,
                    "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
                    "the smooth curve through the nodes of each marker, corners kept)")
         ->type_name("CASE.toml");
+    app.add_flag("--fresh", options.fresh,
+                 "Mesh a planar domain anew: of the nodes of IN only those of the boundary, of markers and\n"
+                 "of borders between groups are started from")
+        ->excludes(only_bad);
     app.add_flag("--no-fields", options.no_fields, "Leave the fields of IN behind");
     line.add_from(options.from);
     line.add_to(options.to);
@@ -68,6 +76,7 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
     if (!settings.kept.empty())
         settings.numbering = NumberingRule::keep_old;
     settings.iterations = options.iterations;
+    settings.fresh = options.fresh;
     if (!options.case_file.empty())
         for (const BoundaryEntry& boundary : read_case_file(options.case_file).boundaries)
             settings.features.curves.push_back({boundary.name, Curve(boundary.curve)});
@@ -92,39 +101,6 @@ Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& setti
     return build_mesh(made.data);
 }
 
-/// The new mesh, with edges along every border between groups of elements.
-Mesh remade_between(Mesh& old, const GroupRegions& regions, const Options& options,
-                    const RemeshSettings& settings, Eigen::VectorXd& sizes)
-{
-    if (regions.groups.size() < 2)
-        return remade(old, options, settings, sizes);
-    std::string name = "borders of groups";
-    while (find_marker(old.markers, name))
-        name += '_';
-    old.markers.push_back(region_borders(old, regions, name));
-    Mesh mesh = remade(old, options, settings, sizes);
-    old.markers.pop_back();
-    std::erase_if(mesh.markers, [&](const Marker& marker) { return marker.name == name; });
-    return mesh;
-}
-
-/// Carry the fields of the old mesh, and the sizes wanted as the last of them.
-std::vector<Field> carried(const Locator& locator, const Mesh& mesh, const Eigen::VectorXd& sizes,
-                           bool no_fields)
-{
-    const Mesh& old = locator.source();
-    const Field wanted{"size", FieldLocation::vertex, sizes};
-    std::vector<const Field*> fields;
-    for (const Field& field : old.fields)
-        if (!no_fields)
-            fields.push_back(&field);
-    fields.push_back(&wanted);
-    RemapSettings settings;
-    settings.outside = Outside::project;
-    settings.conserve_elements = old.dimension == 2; // in space elements do not overlap: sampled
-    return Remapper(locator, mesh, settings).carry(fields);
-}
-
 int remesh_file(int argc, char** argv)
 {
     Options options;
@@ -142,24 +118,27 @@ int remesh_file(int argc, char** argv)
     OutputFiles::require_writable(options.output);
 
     Stopwatch watch;
-    Mesh old = read_mesh(options.input, options.from);
+    const Mesh input = read_mesh(options.input, options.from);
     const double read = watch.lap();
+    Mesh old = without_inverted(input, options.input, report);
     const RemeshSettings settings = settings_of(old, options);
     Eigen::VectorXd sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
     const GroupRegions regions = group_regions(old);
     for (const CarriedText& carried : old.carried)
         warn(kTool,
              options.input + ": " + carried.what + " may name vertices that are no more, and was left out");
-    Mesh mesh = remade_between(old, regions, options, settings, sizes);
+    Mesh mesh = remade_between(old, regions,
+                               [&](const Mesh& from) { return remade(from, options, settings, sizes); });
     const double remeshed = watch.lap();
     const Locator locator(old);
     if (!old.groups.empty())
         mesh.groups = carried_groups(locator, regions, mesh);
-    mesh.fields = carried(locator, mesh, sizes, options.no_fields);
-    const Eigen::VectorXd sizes_there = mesh.fields.back().values.col(0);
-    mesh.fields.pop_back();
+    if (!options.no_fields)
+        mesh.fields = carried_fields(locator, mesh, old.fields);
+    const Eigen::VectorXd sizes_there =
+        carried_fields(locator, mesh, {{"size", FieldLocation::vertex, sizes}}).front().values;
     const double fields = watch.lap();
-    describe_remeshing(old, mesh, sizes_there, options.output, report);
+    describe_remeshing(input, mesh, sizes_there, options.output, report);
     watch.lap();
 
     OutputFiles outputs;

@@ -37,15 +37,25 @@ std::vector<double> triangle_qualities(const Mesh& mesh)
     return quality;
 }
 
+std::vector<bool> all_but(const Mesh& mesh, const std::vector<Index>& elements, int rings)
+{
+    std::vector<bool> kept(at(element_count(mesh)), true);
+    for (const Index f : elements)
+        kept[at(f)] = false;
+    const std::vector<Element> corners = element_table(mesh);
+    for (int ring = 0; ring < rings; ++ring)
+        add_ring(corners, vertex_count(mesh), kept);
+    return kept;
+}
+
 std::vector<bool> all_but_bad(const Mesh& mesh, double quality, int rings)
 {
-    std::vector<bool> kept;
-    for (const double q : triangle_qualities(mesh))
-        kept.push_back(q >= quality);
-    const std::vector<Element> elements = element_table(mesh);
-    for (int ring = 0; ring < rings; ++ring)
-        add_ring(elements, vertex_count(mesh), kept);
-    return kept;
+    std::vector<Index> bad;
+    const std::vector<double> qualities = triangle_qualities(mesh);
+    for (std::size_t f = 0; f < qualities.size(); ++f)
+        if (qualities[f] < quality)
+            bad.push_back(static_cast<Index>(f));
+    return all_but(mesh, bad, rings);
 }
 
 } // namespace morph

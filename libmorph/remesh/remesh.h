@@ -13,6 +13,7 @@ struct RemeshSettings {
     std::vector<bool> kept; ///< m: elements that stay as they are; empty: quads only
     int iterations = 5;     ///< rounds of splitting, collapsing, flipping and relaxing
     NumberingRule numbering = NumberingRule::fresh;
+    bool fresh = false; ///< planar: start from the vertices of borders, markers and kept elements only
 };
 
 /// Make the triangles of a mesh anew, of the edge lengths wanted.
@@ -25,12 +26,15 @@ struct RemeshSettings {
 /// (see find_features()) stay; vertices on them move along them only. The same bytes for any number of
 /// threads.
 ///
+/// Fresh: the start is the constrained Delaunay triangulation of the vertices of features, see
+/// retriangulate(); of the input's inside only the sizes count.
+///
 /// @param mesh   planar with no inverted triangle, or a surface
 /// @param sizes  n: edge length wanted at each vertex, between them linear; positive; limit_by_curves()
 /// lowers them
 /// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
 /// that is
-///                     not kept; sizes or kept of the wrong number
+///                     not kept; sizes or kept of the wrong number; fresh: as retriangulate()
 RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings = {});
 
 } // namespace morph

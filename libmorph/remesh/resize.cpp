@@ -119,4 +119,15 @@ std::size_t split_long_edges(Remaking& made, double longest)
     return count;
 }
 
+std::size_t split_present_edges(Remaking& made, double longest)
+{
+    TriangleNet& net = made.net;
+    const auto present = static_cast<Index>(net.from.size());
+    std::size_t count = 0;
+    for (Index h = 0; h < present; ++h)
+        if (stands_for_edge(net, h) && relative_length(net, net.from[at(h)], net.to(h)) > longest)
+            count += try_split(made, h) >= 0 ? 1 : 0;
+    return count;
+}
+
 } // namespace morph

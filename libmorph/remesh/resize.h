@@ -8,6 +8,9 @@ namespace morph {
 /// @return how many
 std::size_t split_long_edges(Remaking& made, double longest = kLongEdge);
 
+/// The same for the edges that there are, each once, and not for those that splitting makes.
+std::size_t split_present_edges(Remaking& made, double longest);
+
 /// Take out edges shorter than kShortEdge times the length wanted, where that makes neither a long edge nor a
 /// bad triangle. Vertices on feature curves go along these only, fixed ones stay.
 /// @return how many

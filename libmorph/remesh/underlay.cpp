@@ -13,6 +13,7 @@ namespace morph {
 namespace {
 
 constexpr int kLongestWalk = 1000; // between places near each other some 3 steps are usual
+constexpr int kWalkBeforeJump = 30;
 
 std::size_t at(Index i)
 {
@@ -45,22 +46,34 @@ double Underlay::size_at(Index t, const Eigen::Vector3d& p) const
     return sum > 0 ? size / sum : net_.vertices[at(net_.from[at(3 * t)])].size;
 }
 
-Underlay::Place Underlay::find_in_plane(const Eigen::Vector3d& p, Index near) const
+bool Underlay::walk(const Eigen::Vector3d& p, Index& t, int longest) const
 {
-    Index t = near, came_from = -1;
-    for (int step = 0; step < kLongestWalk; ++step) {
+    Index came_from = -1;
+    for (int step = 0; step < longest; ++step) {
         const auto c = corners(net_, t);
         Index onward = -1;
+        bool at_border = false;
         for (std::size_t k = 0; k < 3 && onward < 0; ++k) {
             const Index beyond = net_.twin[at(3 * t) + k];
-            if (beyond >= 0 && beyond / 3 != came_from && cross(c[k], c[(k + 1) % 3], p) < 0)
-                onward = beyond / 3;
+            if ((beyond >= 0 && beyond / 3 == came_from) || cross(c[k], c[(k + 1) % 3], p) >= 0)
+                continue;
+            at_border = at_border || beyond < 0;
+            onward = beyond < 0 ? -1 : beyond / 3;
         }
         if (onward < 0)
-            break;
+            return !at_border;
         came_from = t;
         t = onward;
     }
+    return false;
+}
+
+Underlay::Place Underlay::find_in_plane(const Eigen::Vector3d& p, Index near) const
+{
+    Index t = near;
+    if (!walk(p, t, jump_ ? kWalkBeforeJump : kLongestWalk) && jump_)
+        if (const Index there = jump_(p); there >= 0)
+            t = there;
     return {t, p, size_at(t, p)};
 }
 

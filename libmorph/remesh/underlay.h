@@ -2,6 +2,9 @@
 
 #include "libmorph/remesh/triangle_net.h"
 
+#include <functional>
+#include <utility>
+
 namespace morph {
 
 /// The mesh as it was before it was remade: what the wanted sizes are known on, and the surface that vertices
@@ -23,6 +26,11 @@ public:
     /// @param near  triangle to start from
     Place find(const Eigen::Vector3d& point, Index near) const;
 
+    /// In the plane: where to go on when a walk is long or ends at a border. Meshes made from far apart
+    /// vertices need it: a walk around a body does not get to its other side.
+    /// @param jump  the triangle at or near a point, -1: not known
+    void jump_with(std::function<Index(const Eigen::Vector3d&)> jump) { jump_ = std::move(jump); }
+
     /// Wanted sizes as vertices of the input are numbered; may be changed before find() is called.
     std::vector<NetVertex>& vertices() { return net_.vertices; }
     const TriangleNet& net() const { return net_; }
@@ -39,9 +47,13 @@ private:
     Place find_closest(const Eigen::Vector3d& point, Index near) const;
     double size_at(Index triangle, const Eigen::Vector3d& point) const;
 
+    /// Walk towards a point; false where it does not get there.
+    bool walk(const Eigen::Vector3d& point, Index& triangle, int longest) const;
+
     TriangleNet net_;
     std::vector<Eigen::Vector3d> normals_;
     bool planar_;
+    std::function<Index(const Eigen::Vector3d&)> jump_;
 };
 
 } // namespace morph

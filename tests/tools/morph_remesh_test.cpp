@@ -1,4 +1,5 @@
 #include "formats/formats.h"
+#include "libmorph/mesh/builder.h"
 #include "libmorph/quality/quality.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace morph {
 namespace {
@@ -54,6 +56,112 @@ TEST(MorphRemesh, ReportsTheWorstTriangleThatIsInTheFile)
     // The file has 17 digits; the formula loses a few.
     EXPECT_NEAR(worst["min"].get<double>(), 4 * std::sqrt(3) * area / sides, 1e-12);
     EXPECT_GE(worst["min"].get<double>(), 0.62);
+}
+
+double planar_area(const MeshData& mesh)
+{
+    double area = 0;
+    for (const Element& e : mesh.elements)
+        for (int k = 0, n = corner_count(e); k < n; ++k) {
+            const auto a = mesh.points.row(e[static_cast<std::size_t>(k)]);
+            const auto b = mesh.points.row(e[static_cast<std::size_t>((k + 1) % n)]);
+            area += (a[0] * b[1] - a[1] * b[0]) / 2;
+        }
+    return area;
+}
+
+TEST(MorphRemesh, MeshesEveryPlanarRealMeshAnew)
+{
+    const test::TemporaryFolder folder;
+    int planar = 0;
+    for (const std::string& path : test::real_meshes()) {
+        const Mesh before = read_mesh(path);
+        if (before.dimension != 2)
+            continue;
+        ++planar;
+        const std::string out = folder.file("out.su2");
+        const nlohmann::json report = remeshed({path, "-o", out, "--fresh"});
+        const Mesh after = read_mesh(out);
+        EXPECT_EQ(quality_report(after).inverted, 0) << path;
+        ASSERT_EQ(after.markers.size(), before.markers.size()) << path;
+        for (std::size_t i = 0; i < before.markers.size(); ++i) {
+            EXPECT_EQ(after.markers[i].name, before.markers[i].name);
+            EXPECT_FALSE(after.markers[i].edges.empty());
+        }
+        // Chords of other nodes on the same curves: a polygon of 60 edges has 0.2 % less than its circle.
+        const double area = planar_area(to_data(before));
+        EXPECT_NEAR(planar_area(to_data(after)), area, 2e-3 * area) << path;
+        if (const nlohmann::json& quality = report["triangle_quality"]["after"]; !quality.is_null()) {
+            EXPECT_GE(quality["min"].get<double>(), 0.5) << path;
+            EXPECT_GE(quality["mean"].get<double>(), 0.95) << path;
+        }
+    }
+    EXPECT_GE(planar, 5);
+}
+
+TEST(MorphRemesh, RefusesToMeshASurfaceAnew)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.off");
+    MeshData surface = test::uneven_square(4);
+    surface.dimension = 3;
+    surface.points(12, 2) = 0.1;
+    surface.markers.clear();
+    write_mesh_data(surface, in);
+    const test::ProcessResult result =
+        test::run_tool("morph-remesh", {in, "-o", folder.file("out.off"), "--fresh"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.errors.find("only planar meshes"), std::string::npos) << result.errors;
+}
+
+/// A real mesh whose airfoil was turned about the middle of its chord and nothing else with it.
+MeshData turned_airfoil(double degrees)
+{
+    MeshData mesh = read_mesh_data(test::data_path("meshes/naca0012_inv.su2"));
+    const double angle = degrees * std::numbers::pi / 180;
+    std::vector<bool> turned(static_cast<std::size_t>(mesh.points.rows()), false);
+    for (const auto& edge : find_marker(mesh.markers, "airfoil")->edges)
+        for (const Index v : edge) {
+            if (turned[static_cast<std::size_t>(v)])
+                continue;
+            turned[static_cast<std::size_t>(v)] = true;
+            const double x = mesh.points(v, 0) - 0.5, y = mesh.points(v, 1);
+            mesh.points(v, 0) = 0.5 + std::cos(angle) * x - std::sin(angle) * y;
+            mesh.points(v, 1) = std::sin(angle) * x + std::cos(angle) * y;
+        }
+    return mesh;
+}
+
+TEST(MorphRemesh, CutsInvertedElementsOutAndMeshesThemAnew)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.su2"), out = folder.file("out.su2");
+    for (const double degrees : {5.0, 90.0}) {
+        const MeshData before = turned_airfoil(degrees);
+        write_mesh_data(before, in);
+        const nlohmann::json report = remeshed({in, "-o", out});
+        EXPECT_GT(report["cut_out"]["inverted"], 100);
+        EXPECT_EQ(report["cut_out"]["inverted"], report["quality"]["before"]["inverted"]);
+        EXPECT_EQ(report["quality"]["after"]["inverted"], 0);
+        EXPECT_GE(report["triangle_quality"]["after"]["min"].get<double>(), 0.4);
+        const MeshData after = read_mesh_data(out);
+        EXPECT_EQ(quality_report(build_mesh(after)).inverted, 0);
+        const double area = planar_area(before);
+        EXPECT_NEAR(planar_area(after), area, 1e-4 * area);
+    }
+}
+
+TEST(MorphRemesh, SaysThatABoundaryCrossesItself)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.su2");
+    MeshData mesh = test::uneven_square(4);
+    mesh.points.row(2) << 0.5, 1.2, 0;
+    write_mesh_data(mesh, in);
+    const test::ProcessResult result = test::run_tool("morph-remesh", {in, "-o", folder.file("out.su2")});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.errors.find("in.su2: the boundary of the mesh crosses itself near ("), std::string::npos)
+        << result.errors;
 }
 
 /// The uneven square cut by the line through its cells' corners at half height, which is not straight.

@@ -49,6 +49,20 @@ Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::
     return borders;
 }
 
+Mesh remade_between(Mesh& mesh, const GroupRegions& regions, const std::function<Mesh(const Mesh&)>& remake)
+{
+    if (regions.groups.size() < 2)
+        return remake(mesh);
+    std::string name = "borders of groups";
+    while (find_marker(mesh.markers, name))
+        name += '_';
+    mesh.markers.push_back(region_borders(mesh, regions, name));
+    Mesh remade = remake(mesh);
+    mesh.markers.pop_back();
+    std::erase_if(remade.markers, [&](const Marker& marker) { return marker.name == name; });
+    return remade;
+}
+
 std::vector<ElementGroup> carried_groups(const Locator& old, const GroupRegions& regions, const Mesh& mesh)
 {
     RemapSettings settings;

@@ -3,6 +3,7 @@
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/remap/locate.h"
 
+#include <functional>
 #include <vector>
 
 namespace morph::tools {
@@ -18,6 +19,10 @@ GroupRegions group_regions(const Mesh& mesh);
 /// The edges between elements of different regions, each with the region of the lower number on its left: a
 /// marker of them makes remeshing keep these lines.
 Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::string& name);
+
+/// What @p remake makes of a mesh, with edges along every border between its groups: while it works they are
+/// a marker.
+Mesh remade_between(Mesh& mesh, const GroupRegions& regions, const std::function<Mesh(const Mesh&)>& remake);
 
 /// The groups of a remade mesh, with the names of the old ones: each element is in those of the old element
 /// at its centre.

@@ -1,0 +1,18 @@
+#include "tools/remesh/carried_fields.h"
+
+#include "libmorph/remap/remap.h"
+
+namespace morph::tools {
+
+std::vector<Field> carried_fields(const Locator& locator, const Mesh& mesh, const std::vector<Field>& fields)
+{
+    std::vector<const Field*> list;
+    for (const Field& field : fields)
+        list.push_back(&field);
+    RemapSettings settings;
+    settings.outside = Outside::project;
+    settings.conserve_elements = locator.source().dimension == 2; // in space elements do not overlap: sampled
+    return Remapper(locator, mesh, settings).carry(list);
+}
+
+} // namespace morph::tools
