@@ -63,7 +63,8 @@ void add_options(CommandLine& line, Options& options)
         ->type_name("dJdX.csv");
     app.add_option("--guard", options.guard,
                    "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
-                   "are any; untangle: repair inverted elements first; none: do not look")
+                   "are any; untangle: repair inverted elements first; remesh: and make anew what is left\n"
+                   "inverted or flat, which changes numbers; none: do not look")
         ->check(CLI::IsMember(guards()));
     line.add_from(options.from);
     line.add_to(options.to);
@@ -135,7 +136,8 @@ std::string advice(const DeformResult& result)
         return "no position of the others can mend it while the boundary crosses itself";
     if (result.untangled && !result.untangled->hopeless.empty())
         return "element " + std::to_string(result.untangled->hopeless[0]) +
-               " has all its vertices on the boundary, so that no position of the others can mend it";
+               " has all its vertices on the boundary, so that no position of the others can mend it" +
+               (result.guard == "remesh" ? "" : "; try guard = \"remesh\"");
     if (result.untangled)
         return "try steps = \"auto\" with rotations = true, or a smaller move";
     return "try guard = \"untangle\"";
@@ -168,6 +170,20 @@ void untangle_moved(Mesh& mesh, const Points& before, DeformResult& result)
     }
 }
 
+/// The last resort, for what positions alone cannot mend.
+void remesh_moved(Mesh& mesh, const Points& before, DeformResult& result)
+{
+    try {
+        result.remeshed = remesh_bad_part(mesh, before);
+    } catch (const InputError& error) {
+        warn(kTool, result.output + ": " + error.what());
+    }
+    if (result.remeshed)
+        warn(kTool, result.output + ": " + std::to_string(result.remeshed->elements) +
+                        " elements were made anew: numbers of vertices and elements differ from those of the "
+                        "mesh before the move there");
+}
+
 /// Moves the mesh and looks at every element before and after.
 void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, DeformResult& result)
 {
@@ -183,9 +199,11 @@ void move_and_check(Mesh& mesh, const CaseFile& file, const CaseMotion& motion, 
         result.crossings = boundary_crossings(motion.curves);
         if (result.crossings.empty() && mesh.dimension == 2)
             result.crossings = polygon_crossings(mesh, before);
-        if (result.guard == "untangle" && result.crossings.empty())
-            untangle_moved(mesh, before, result);
         result.before = quality_report(mesh, before);
+        if ((result.guard == "untangle" || result.guard == "remesh") && result.crossings.empty())
+            untangle_moved(mesh, before, result);
+        if (result.guard == "remesh" && result.crossings.empty() && mesh.dimension == 2)
+            remesh_moved(mesh, before, result);
         result.after = quality_report(mesh);
     }
     result.seconds.guard = watch.lap();

@@ -121,6 +121,24 @@ void remake(Remaking& made, int iterations)
     renumber(made);
 }
 
+/// Features as if they were sides of kept elements.
+void hold_features(TriangleNet& net)
+{
+    for (Index& tag : net.tag)
+        if (tag != kNoTag)
+            tag = kKeptTag;
+    for (NetVertex& vertex : net.vertices)
+        if (vertex.curve != kFreeVertex)
+            vertex.curve = kFixedVertex;
+}
+
+void mark_features(Remaking& made, const Mesh& mesh, const RemeshSettings& settings)
+{
+    find_features(made, mesh, settings.features);
+    if (settings.hold_features)
+        hold_features(made.net);
+}
+
 RemadeMesh remade(Remaking& made, const Mesh& mesh, const std::vector<bool>& kept,
                   const RemeshSettings& settings)
 {
@@ -186,7 +204,7 @@ RemadeMesh made_anew(Remaking& made, const Mesh& mesh, const std::vector<bool>& 
     made.net = net_on(made.underlay, mesh, outline);
     made.curves.clear();
     made.underlay.jump_with(jump_in(mesh, kept));
-    find_features(made, outline.mesh, settings.features);
+    mark_features(made, outline.mesh, settings);
     return remade(made, outline.mesh, outline.kept, settings);
 }
 
@@ -203,7 +221,7 @@ RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSe
     Underlay underlay(net, planar);
     Remaking made{std::move(net), {}, std::move(underlay), planar};
     require_positive(made, mesh, kept);
-    find_features(made, mesh, settings.features);
+    mark_features(made, mesh, settings);
     limit_by_curves(made);
     if (!planar)
         made.underlay.find_normals(made.net.tag);

@@ -13,6 +13,7 @@ struct RemeshSettings {
     std::vector<bool> kept; ///< m: elements that stay as they are; empty: quads only
     int iterations = 5;     ///< rounds of splitting, collapsing, flipping and relaxing
     NumberingRule numbering = NumberingRule::fresh;
+    bool hold_features = false; ///< no vertex of a feature moves, no edge of one is split
     bool fresh = false; ///< planar: start from the vertices of borders, markers and kept elements only
 };
 

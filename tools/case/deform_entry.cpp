@@ -45,7 +45,7 @@ const std::vector<std::string>& diffusivities()
 
 const std::vector<std::string>& guards()
 {
-    static const std::vector<std::string> names{"none", "check", "untangle"};
+    static const std::vector<std::string> names{"none", "check", "untangle", "remesh"};
     return names;
 }
 

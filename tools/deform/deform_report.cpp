@@ -145,6 +145,16 @@ void describe_repair(const DeformResult& result, Report& report)
                " vertices moved in " + std::to_string(repair.iterations) + " iterations");
 }
 
+void describe_remeshed(const RemeshedPart& part, Report& report)
+{
+    report.json["remeshed"] = {{"elements", part.elements},
+                               {"vertices_before", part.vertices_before},
+                               {"vertices_after", part.vertices_after}};
+    report.say("remeshed: " + std::to_string(part.elements) + " elements made anew, " +
+               std::to_string(part.vertices_before) + " vertices before, " +
+               std::to_string(part.vertices_after) + " after");
+}
+
 void describe_quality(const DeformResult& result, Report& report)
 {
     if (!result.before || !result.after)
@@ -199,6 +209,8 @@ void describe(const DeformResult& result, const CaseMotion& motion, Report& repo
         describe_safe_step(*result.safe_step, report);
     if (result.untangled)
         describe_repair(result, report);
+    if (result.remeshed)
+        describe_remeshed(*result.remeshed, report);
     describe_quality(result, report);
     json["seconds"] = seconds_json(result.seconds);
     report.say("wrote " + result.output);

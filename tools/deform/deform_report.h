@@ -5,6 +5,7 @@
 #include "libmorph/untangle/untangle.h"
 #include "tools/common/report.h"
 #include "tools/deform/case_motion.h"
+#include "tools/deform/remesh_guard.h"
 
 #include <optional>
 #include <string>
@@ -35,8 +36,10 @@ struct DeformResult {
     std::optional<QualityReport> after;
     int steps = 1;                           ///< the move took
     Index tangled = 0;                       ///< inverted elements before the repair
-    std::optional<UntangleResult> untangled; ///< with guard = "untangle", when there was something to repair
-    std::optional<SafeStep> safe_step;       ///< planar meshes, moves linear in the control points
+    std::optional<UntangleResult> untangled; ///< with guard = "untangle" or "remesh", when there was
+                                             ///< something to repair
+    std::optional<RemeshedPart> remeshed; ///< with guard = "remesh", when there was something left to do
+    std::optional<SafeStep> safe_step;    ///< planar meshes, moves linear in the control points
     StageSeconds seconds;
 };
 
