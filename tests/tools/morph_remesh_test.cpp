@@ -151,6 +151,27 @@ TEST(MorphRemesh, CutsInvertedElementsOutAndMeshesThemAnew)
     }
 }
 
+TEST(MorphRemesh, RemakesThesisCaseTwoAfterItsMove)
+{
+    const test::TemporaryFolder folder;
+    const std::string moved = folder.file("moved.su2"), out = folder.file("out.su2");
+    const test::ProcessResult deformed =
+        test::run_tool("morph-deform", {test::example_path("02_thesis_case2/case.toml"), "-o", moved});
+    ASSERT_EQ(deformed.status, 0) << deformed.errors;
+    const double area = planar_area(read_mesh_data(moved));
+    for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--fresh"}}) {
+        std::vector<std::string> arguments{moved, "-o", out, "--gradation", "1.3"};
+        arguments.insert(arguments.end(), how.begin(), how.end());
+        const nlohmann::json report = remeshed(arguments);
+        EXPECT_EQ(report["quality"]["after"]["inverted"], 0);
+        EXPECT_GE(report["triangle_quality"]["after"]["min"].get<double>(), 0.5);
+        EXPECT_GE(report["triangle_quality"]["after"]["mean"].get<double>(), 0.95);
+        const MeshData after = read_mesh_data(out);
+        EXPECT_EQ(after.markers.size(), 3U);
+        EXPECT_NEAR(planar_area(after), area, 1e-4 * area);
+    }
+}
+
 TEST(MorphRemesh, SaysThatABoundaryCrossesItself)
 {
     const test::TemporaryFolder folder;
