@@ -45,6 +45,10 @@ std::vector<bool> all_but(const Mesh& mesh, const std::vector<Index>& elements, 
     const std::vector<Element> corners = element_table(mesh);
     for (int ring = 0; ring < rings; ++ring)
         add_ring(corners, vertex_count(mesh), kept);
+    for (std::size_t f = 0; f < kept.size(); ++f)
+        kept[f] = kept[f] || corners[f][3] >= 0;
+    for (const Index f : elements)
+        kept[at(f)] = false;
     return kept;
 }
 

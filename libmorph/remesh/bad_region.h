@@ -13,7 +13,7 @@ std::vector<double> triangle_qualities(const Mesh& mesh);
 /// quality and, @p rings times, those that share a vertex with them.
 std::vector<bool> all_but_bad(const Mesh& mesh, double quality, int rings = 2);
 
-/// The same for elements given by number.
+/// The same for elements given by number; quads that are not among them are kept in the rings too.
 std::vector<bool> all_but(const Mesh& mesh, const std::vector<Index>& elements, int rings);
 
 } // namespace morph

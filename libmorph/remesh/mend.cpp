@@ -25,7 +25,8 @@ public:
         for (int round = 0; round < kRounds; ++round) {
             left = 0;
             bool changed = false;
-            for (Index t = 0; t < net_.triangle_slots(); ++t)
+            const Index present = net_.triangle_slots(); // those that splitting makes wait for the next round
+            for (Index t = 0; t < present; ++t)
                 if (net_.alive(t) && triangle_quality(made_, t) < quality_) {
                     changed = mend(t) || changed;
                     left += net_.alive(t) && triangle_quality(made_, t) < quality_ ? 1U : 0U;
@@ -86,7 +87,10 @@ private:
         const double size = net_.vertices[at(v)].size;
         double best = star_quality(made_, v, net_.point(v));
         bool moved = false;
-        for (double step = kFirstStep; step >= kLastStep;) {
+        constexpr int kMostSteps =
+            200; // the size wanted may be much smaller than the triangles that there are
+        double step = kFirstStep;
+        for (int i = 0; i < kMostSteps && step >= kLastStep; ++i) {
             const bool better = best < 1 && step_from(v, step * size, best);
             moved = moved || better;
             step = better ? step : step / 2;

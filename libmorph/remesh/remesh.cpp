@@ -76,11 +76,13 @@ void renumber(Remaking& made)
     made.net.renumber(hilbert_order(positions, made.planar ? 2 : 3));
 }
 
+/// The longest of the edges that may be split.
 double longest_edge(const TriangleNet& net)
 {
     double longest = 0;
     for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
-        longest = std::max(longest, relative_length(net, net.from[at(h)], net.to(h)));
+        if (net.from[at(h)] >= 0 && net.tag[at(h)] != kKeptTag)
+            longest = std::max(longest, relative_length(net, net.from[at(h)], net.to(h)));
     return longest;
 }
 
@@ -90,11 +92,13 @@ void refine_in_steps(Remaking& made)
 {
     constexpr double kStep = 1.5;
     constexpr int kMostSteps = 200;
-    for (int step = 0; step < kMostSteps; ++step) {
-        const double longest = longest_edge(made.net);
-        if (longest <= kLongEdge || split_present_edges(made, std::max(longest / kStep, kLongEdge)) == 0)
-            break;
+    double limit = longest_edge(made.net);
+    for (int step = 0; step < kMostSteps && limit > kLongEdge; ++step) {
+        limit = std::max(limit / kStep, kLongEdge);
+        if (split_long_edges(made, limit) == 0)
+            continue;
         flip_edges(made);
+        limit = longest_edge(made.net);
     }
 }
 
@@ -104,9 +108,7 @@ void remake(Remaking& made, int iterations)
     constexpr int kLastSweeps = 5;
     for (int i = 0; i < iterations; ++i) {
         report_progress(kStage, static_cast<double>(i) / iterations);
-        if (i == 0)
-            refine_in_steps(made);
-        split_long_edges(made);
+        refine_in_steps(made);
         collapse_short_edges(made);
         if (i == 0)
             renumber(made);

@@ -111,17 +111,6 @@ Index try_split(Remaking& made, Index h)
 std::size_t split_long_edges(Remaking& made, double longest)
 {
     TriangleNet& net = made.net;
-    std::size_t count = 0;
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
-        while (stands_for_edge(net, h) && relative_length(net, net.from[at(h)], net.to(h)) > longest &&
-               try_split(made, h) >= 0)
-            ++count;
-    return count;
-}
-
-std::size_t split_present_edges(Remaking& made, double longest)
-{
-    TriangleNet& net = made.net;
     const auto present = static_cast<Index>(net.from.size());
     std::size_t count = 0;
     for (Index h = 0; h < present; ++h)

@@ -4,12 +4,10 @@
 
 namespace morph {
 
-/// Halve edges longer than @p longest times the length wanted, feature edges on their curves.
+/// Halve edges longer than @p longest times the length wanted, feature edges on their curves: those that
+/// there are, each once, and not what splitting makes.
 /// @return how many
-std::size_t split_long_edges(Remaking& made, double longest = kLongEdge);
-
-/// The same for the edges that there are, each once, and not for those that splitting makes.
-std::size_t split_present_edges(Remaking& made, double longest);
+std::size_t split_long_edges(Remaking& made, double longest);
 
 /// Take out edges shorter than kShortEdge times the length wanted, where that makes neither a long edge nor a
 /// bad triangle. Vertices on feature curves go along these only, fixed ones stay.

@@ -42,6 +42,13 @@ std::vector<Index> bad_elements(const Mesh& mesh, const Mesh& start)
     return bad;
 }
 
+/// Of the triangles; inverted ones are below 0.
+double worst_quality(const Mesh& mesh)
+{
+    const std::vector<double> all = triangle_qualities(mesh);
+    return all.empty() ? 1 : *std::min_element(all.begin(), all.end());
+}
+
 /// A moved mesh with its bad part triangulated anew.
 struct Filled {
     Mesh mesh;
@@ -78,11 +85,20 @@ Filled filled_between(Mesh& mesh, const std::vector<bool>& kept, const Points& b
     return result;
 }
 
-/// Takes the last of the fields off: edge lengths, positive.
+/// Takes the last of the fields off: edge lengths, positive. On the boundary, whose edges stay as they are,
+/// not below what these have now.
 Eigen::VectorXd take_sizes(Mesh& mesh)
 {
-    const Eigen::VectorXd sizes = mesh.fields.back().values.col(0);
+    Eigen::VectorXd sizes = mesh.fields.back().values.col(0);
     mesh.fields.pop_back();
+    for (const HalfedgeHandle h : mesh.kernel.halfedges())
+        if (mesh.kernel.is_boundary(h)) {
+            const Index a = mesh.kernel.from_vertex_handle(h).idx(),
+                        b = mesh.kernel.to_vertex_handle(h).idx();
+            const double length = (points(mesh).row(a) - points(mesh).row(b)).norm();
+            sizes[a] = std::max(sizes[a], length);
+            sizes[b] = std::max(sizes[b], length);
+        }
     return (sizes.array() > 0).select(sizes, sizes.maxCoeff()); // vertices of no element have none
 }
 
@@ -103,6 +119,7 @@ std::optional<RemeshedPart> remesh_bad_part(Mesh& mesh, const Points& before)
     const std::vector<Index> bad = bad_elements(mesh, start);
     if (bad.empty())
         return std::nullopt;
+    const bool valid = inverted_elements(mesh, points(mesh)).empty();
     Mesh moved = mesh;
     moved.fields.push_back({"size", FieldLocation::vertex, own_sizes(start)});
     Filled part = filled_between(moved, all_but(mesh, bad, kRings), before);
@@ -110,6 +127,8 @@ std::optional<RemeshedPart> remesh_bad_part(Mesh& mesh, const Points& before)
     const GroupRegions regions = group_regions(part.mesh);
     Mesh anew =
         remade_between(part.mesh, regions, [&](const Mesh& from) { return remade(from, part.kept, sizes); });
+    if (valid && worst_quality(anew) <= worst_quality(mesh))
+        return std::nullopt;
     const Locator locator(part.mesh);
     if (!part.mesh.groups.empty())
         anew.groups = carried_groups(locator, regions, anew);

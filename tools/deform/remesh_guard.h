@@ -20,7 +20,7 @@ struct RemeshedPart {
 /// their numbers where these are below the new counts; markers, groups and fields come along.
 ///
 /// @param before  n x 3 positions before the move
-/// @return none where nothing had to be made anew
+/// @return none where nothing had to be made anew, or a valid mesh would not have got better by it
 /// @throws InputError  as retriangulate()
 std::optional<RemeshedPart> remesh_bad_part(Mesh& mesh, const Points& before);
 

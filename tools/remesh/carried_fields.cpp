@@ -2,13 +2,14 @@
 
 #include "libmorph/remap/remap.h"
 
+#include <algorithm>
+
 namespace morph::tools {
 
 std::vector<Field> carried_fields(const Locator& locator, const Mesh& mesh, const std::vector<Field>& fields)
 {
-    std::vector<const Field*> list;
-    for (const Field& field : fields)
-        list.push_back(&field);
+    std::vector<const Field*> list(fields.size());
+    std::transform(fields.begin(), fields.end(), list.begin(), [](const Field& field) { return &field; });
     RemapSettings settings;
     settings.outside = Outside::project;
     settings.conserve_elements = locator.source().dimension == 2; // in space elements do not overlap: sampled
