@@ -69,13 +69,18 @@ public:
 private:
     Point point(Index v) const { return {points_(v, 0), points_(v, 1)}; }
 
+    VertexHandle insert(Index v)
+    {
+        last_ = triangulation_.insert(point(v), last_ == VertexHandle() ? FaceHandle() : last_->face());
+        return last_;
+    }
+
     VertexHandle inserted(Index v)
     {
         VertexHandle& handle = handles_[at(v)];
         if (handle == VertexHandle()) {
-            handle = triangulation_.insert(point(v), near_);
+            handle = insert(v);
             handle->info() = v;
-            near_ = handle->face();
         }
         return handle;
     }
@@ -151,8 +156,7 @@ private:
     {
         for (const Index v : inside()) {
             const std::size_t before = triangulation_.number_of_vertices();
-            const VertexHandle made = triangulation_.insert(point(v), near_);
-            near_ = made->face();
+            const VertexHandle made = insert(v);
             if (triangulation_.number_of_vertices() > before) // else another point is there already
                 made->info() = v;
         }
@@ -163,7 +167,7 @@ private:
     Triangulation triangulation_;
     std::vector<VertexHandle> handles_; ///< of the ends of edges
     std::vector<Side> sides_;
-    FaceHandle near_;
+    VertexHandle last_; ///< inserted; vertices stay valid, faces do not
 };
 
 } // namespace
