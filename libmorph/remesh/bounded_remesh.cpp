@@ -5,6 +5,7 @@
 #include "libmorph/geometry/element_tree.h"
 #include "libmorph/geometry/hausdorff.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/remesh/wanted_size.h"
 
 #include <Eigen/Geometry>
 
@@ -79,8 +80,10 @@ void limit_on_border(const Mesh& mesh, const ChordLimit& limit)
 
 /// Lower the sizes around places that are too far away.
 /// @param power  of the size that the distance goes with
-void lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<DistantPlace>& places,
-                  double distance, double power, Eigen::VectorXd& sizes)
+/// @param least  n: sizes that shorter edges would not help below
+/// @return whether any could be lowered
+bool lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<DistantPlace>& places,
+                  double distance, double power, const Eigen::VectorXd& least, Eigen::VectorXd& sizes)
 {
     constexpr double kSafety = 0.9;
     constexpr double kReach = 2;           // times the size there
@@ -99,8 +102,18 @@ void lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<D
         for (const Index face : faces)
             for (const Index v : element_corners(mesh, face))
                 if (v >= 0)
-                    sizes[v] = std::min(sizes[v], factor * old[v]);
+                    sizes[v] = std::min(sizes[v], std::max(factor * old[v], least[v]));
     }
+    return sizes != old;
+}
+
+/// Nodes of a planar boundary lie on the curve through the old ones, which is as far from the input as the
+/// input's own chords are from it: edges shorter than these change nothing. On a surface they lie on the
+/// input's triangles and come nearer to its vertices.
+Eigen::VectorXd least_sizes(const Mesh& mesh)
+{
+    constexpr double kOfOwn = 0.125;
+    return mesh.dimension == 2 ? own_sizes(mesh) : Eigen::VectorXd(kOfOwn * own_sizes(mesh));
 }
 
 } // namespace
@@ -121,15 +134,16 @@ RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& siz
     if (!(distance > 0))
         throw InputError("the distance from the input to keep is " + number_text(distance) +
                          ", but it has to be positive");
+    const Eigen::VectorXd least = least_sizes(mesh).cwiseMin(sizes);
     limit_chord_error(mesh, distance / (kLongEdge * kLongEdge), settings.features, sizes);
+    sizes = sizes.cwiseMax(least);
     RemadeMesh made = remesh(mesh, sizes, settings);
     const ElementTree tree(mesh);
     for (int round = 0; round < kRounds; ++round) {
         const std::vector<DistantPlace> places = places_beyond(mesh, build_mesh(made.data), distance);
-        if (places.empty())
-            break;
         // A smooth surface is cut off by the square of the size, a vertex of a coarse one by the size itself.
-        lower_around(mesh, tree, places, distance, round == 0 ? 2 : 1, sizes);
+        if (!lower_around(mesh, tree, places, distance, round == 0 ? 2 : 1, least, sizes))
+            break;
         made = remesh(mesh, sizes, settings);
     }
     return made;
