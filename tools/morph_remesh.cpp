@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/bad_region.h"
+#include "libmorph/remesh/bounded_remesh.h"
 #include "libmorph/remesh/remesh.h"
 #include "tools/case/case_file.h"
 #include "tools/common/report.h"
@@ -28,6 +29,7 @@ struct Options {
     int iterations = 5;
     double only_bad = 0;
     std::vector<std::string> keep;
+    double hausdorff = 0;
     std::string case_file;
     bool no_fields = false;
     bool fresh = false;
@@ -54,6 +56,11 @@ void add_options(CommandLine& line, Options& options)
             ->check(CLI::Range(0.0, 1.0))
             ->type_name("Q");
     add_keep_option(app, options.keep);
+    app.add_option("--hausdorff", options.hausdorff,
+                   "Largest distance from IN (planar: of the boundaries); edges become as short as that asks")
+        ->check(CLI::PositiveNumber)
+        ->excludes("--vertices")
+        ->type_name("D");
     app.add_option("--case", options.case_file,
                    "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
                    "the smooth curve through the nodes of each marker, corners kept)")
@@ -89,6 +96,8 @@ Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& setti
 {
     constexpr int kCorrections = 4;
     constexpr double kNear = 0.02; // of the number wanted
+    if (options.hausdorff > 0)
+        return build_mesh(remesh_within(old, options.hausdorff, sizes, settings).data);
     const Index vertices = wanted_vertices(old, options.sizes);
     RemadeMesh made = remesh(old, sizes, settings);
     for (int i = 0; i < kCorrections && vertices > 0; ++i) {
@@ -99,6 +108,15 @@ Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& setti
         made = remesh(old, sizes, settings);
     }
     return build_mesh(made.data);
+}
+
+void warn_if_beyond(const nlohmann::ordered_json& hausdorff, const Options& options)
+{
+    if (options.hausdorff > 0 && hausdorff["distance"] > options.hausdorff)
+        warn(kTool, options.output + ": is " + short_number(hausdorff["distance"]) + " from " +
+                        options.input + " at " + hausdorff["at"].dump() + ", more than the " +
+                        short_number(options.hausdorff) +
+                        " of --hausdorff, and as near as shorter edges bring it");
 }
 
 int remesh_file(int argc, char** argv)
@@ -139,15 +157,17 @@ int remesh_file(int argc, char** argv)
         carried_fields(locator, mesh, {{"size", FieldLocation::vertex, sizes}}).front().values;
     const double fields = watch.lap();
     describe_remeshing(input, mesh, sizes_there, options.output, report);
-    watch.lap();
+    warn_if_beyond(report.json["hausdorff"], options);
+    const double check = watch.lap();
 
     OutputFiles outputs;
     for (const std::string& warning : write_mesh_data(to_data(mesh), options.output, outputs, options.to))
         warn(kTool, warning);
     report.json["seconds"] = {
-        {"read", read}, {"remesh", remeshed}, {"fields", fields}, {"write", watch.lap()}};
+        {"read", read}, {"remesh", remeshed}, {"fields", fields}, {"check", check}, {"write", watch.lap()}};
     report.finish(outputs);
-    return report.json["quality"]["after"]["inverted"] > 0 ? kInverted : kDone;
+    const bool valid = report.json["quality"]["after"]["inverted"] == 0 && report.json.value("folds", 0) == 0;
+    return valid ? kDone : kInverted;
 }
 
 } // namespace
