@@ -68,7 +68,8 @@ private:
         const double sine = p.y() * q.x() + p.x() * q.y();
         if (sine >= -kMargin * p.norm() * q.norm())
             return false;
-        const Eigen::Vector3d m = surface_normal(made_, h / 3), n = surface_normal(made_, net_.twin[at(h)] / 3);
+        const Eigen::Vector3d m = surface_normal(made_, h / 3),
+                              n = surface_normal(made_, net_.twin[at(h)] / 3);
         return may_replace(made_, c, a, d, m) && may_replace(made_, c, a, d, n) &&
                may_replace(made_, d, b, c, m) && may_replace(made_, d, b, c, n) &&
                !joined(net_.apex(h), net_.apex(net_.twin[at(h)]));
