@@ -21,7 +21,7 @@ struct HausdorffDistance {
 /// of their markers. Branch and bound as in [Guthe, Borodin & Klein 2005, Fast and accurate Hausdorff
 /// distance calculation between meshes, WSCG]: the distance from one triangle is convex, so that it is
 /// largest at the corners of what is cut off in front of that triangle. Triangles without area are their
-/// sides. About 1 us times the number of pieces; the same bytes for any number of threads.
+/// sides. The same bytes for any number of threads.
 ///
 /// @param tolerance  bound - value is at most this part of the value, or 1e-10 of the larger mesh, unless
 ///                   one triangle would need more than some thousand pieces
