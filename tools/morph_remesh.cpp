@@ -116,7 +116,7 @@ void warn_if_beyond(const nlohmann::ordered_json& hausdorff, const Options& opti
         warn(kTool, options.output + ": is " + short_number(hausdorff["distance"]) + " from " +
                         options.input + " at " + hausdorff["at"].dump() + ", more than the " +
                         short_number(options.hausdorff) +
-                        " of --hausdorff, and as near as shorter edges bring it");
+                        " of --hausdorff; it came no nearer in the rounds there are");
 }
 
 int remesh_file(int argc, char** argv)
