@@ -16,6 +16,7 @@
 #include "tools/remesh/size_options.h"
 
 #include <cmath>
+#include <utility>
 
 namespace morph::tools {
 namespace {
@@ -91,23 +92,38 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 }
 
 /// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
-/// few.
-Mesh remade(const Mesh& old, const Options& options, const RemeshSettings& settings, Eigen::VectorXd& sizes)
+/// few, as long as that helps.
+RemadeMesh remade(const Mesh& old, const Options& options, const RemeshSettings& settings,
+                  Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
     constexpr double kNear = 0.02; // of the number wanted
     if (options.hausdorff > 0)
-        return build_mesh(remesh_within(old, options.hausdorff, sizes, settings).data);
+        return remesh_within(old, options.hausdorff, sizes, settings);
     const Index vertices = wanted_vertices(old, options.sizes);
     RemadeMesh made = remesh(old, sizes, settings);
     for (int i = 0; i < kCorrections && vertices > 0; ++i) {
         const double ratio = static_cast<double>(made.data.points.rows()) / vertices;
         if (std::abs(ratio - 1) <= kNear)
             break;
-        sizes *= std::sqrt(ratio);
-        made = remesh(old, sizes, settings);
+        const Eigen::VectorXd corrected = std::sqrt(ratio) * sizes;
+        RemadeMesh next = remesh(old, corrected, settings);
+        const double next_ratio = static_cast<double>(next.data.points.rows()) / vertices;
+        if (std::abs(next_ratio - ratio) <= kNear * ratio)
+            break;
+        sizes = corrected;
+        made = std::move(next);
     }
-    return build_mesh(made.data);
+    return made;
+}
+
+/// Wishes at the vertices of the old mesh, carried to those of the new one.
+RemeshWishes carried_wishes(const Locator& locator, const Mesh& mesh, const RemeshWishes& wishes)
+{
+    const std::vector<Field> carried = carried_fields(locator, mesh,
+                                                      {{"sizes", FieldLocation::vertex, wishes.sizes},
+                                                       {"possible", FieldLocation::vertex, wishes.possible}});
+    return {carried[0].values, carried[1].values, wishes.vertices};
 }
 
 void warn_if_beyond(const nlohmann::ordered_json& hausdorff, const Options& options)
@@ -140,23 +156,27 @@ int remesh_file(int argc, char** argv)
     const double read = watch.lap();
     Mesh old = without_inverted(input, options.input, report);
     const RemeshSettings settings = settings_of(old, options);
-    Eigen::VectorXd sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
+    RemeshWishes wishes;
+    wishes.sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
+    wishes.vertices = wanted_vertices(old, options.sizes);
     const GroupRegions regions = group_regions(old);
     for (const CarriedText& carried : old.carried)
         warn(kTool,
              options.input + ": " + carried.what + " may name vertices that are no more, and was left out");
-    Mesh mesh = remade_between(old, regions,
-                               [&](const Mesh& from) { return remade(from, options, settings, sizes); });
+    Mesh mesh = remade_between(old, regions, [&](const Mesh& from) {
+        RemadeMesh made = remade(from, options, settings, wishes.sizes);
+        wishes.possible = std::move(made.sizes);
+        return build_mesh(made.data);
+    });
     const double remeshed = watch.lap();
     const Locator locator(old);
     if (!old.groups.empty())
         mesh.groups = carried_groups(locator, regions, mesh);
     if (!options.no_fields)
         mesh.fields = carried_fields(locator, mesh, old.fields);
-    const Eigen::VectorXd sizes_there =
-        carried_fields(locator, mesh, {{"size", FieldLocation::vertex, sizes}}).front().values;
+    const RemeshWishes wishes_there = carried_wishes(locator, mesh, wishes);
     const double fields = watch.lap();
-    describe_remeshing(input, mesh, sizes_there, options.output, report);
+    describe_remeshing(input, mesh, wishes_there, options.output, report);
     warn_if_beyond(report.json["hausdorff"], options);
     const double check = watch.lap();
 

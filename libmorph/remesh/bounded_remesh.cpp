@@ -5,78 +5,17 @@
 #include "libmorph/geometry/element_tree.h"
 #include "libmorph/geometry/hausdorff.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/remesh/chord_size.h"
 #include "libmorph/remesh/wanted_size.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace morph {
 
 namespace {
-
-/// A turn of the mesh over a length, at some of its vertices.
-class ChordLimit {
-public:
-    ChordLimit(double error, double most_turn, Eigen::VectorXd& sizes)
-        : error_(error), most_turn_(most_turn * std::numbers::pi / 180), sizes_(sizes)
-    {
-    }
-
-    void apply(const Eigen::Vector3d& before, const Eigen::Vector3d& after, double length,
-               std::initializer_list<Index> vertices) const
-    {
-        const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
-        if (turn > most_turn_ || turn <= 0)
-            return;
-        const double size = std::sqrt(8 * error_ * length / turn);
-        for (const Index v : vertices)
-            sizes_[v] = std::min(sizes_[v], size);
-    }
-
-private:
-    double error_, most_turn_;
-    Eigen::VectorXd& sizes_;
-};
-
-/// Twice the area of a face's first triangle times its normal.
-Eigen::Vector3d face_normal(const Mesh& mesh, FaceHandle face)
-{
-    const Element e = element_corners(mesh, face.idx());
-    const auto place = points(mesh);
-    const Eigen::RowVector3d ab = place.row(e[1]) - place.row(e[0]), ac = place.row(e[2]) - place.row(e[0]);
-    return ab.cross(ac);
-}
-
-void limit_on_surface(const Mesh& mesh, const ChordLimit& limit)
-{
-    const auto place = points(mesh);
-    for (const auto edge : mesh.kernel.edges()) {
-        if (edge.is_boundary())
-            continue;
-        const Eigen::Vector3d m = face_normal(mesh, edge.h0().face()),
-                              n = face_normal(mesh, edge.h1().face());
-        const double length = (place.row(edge.v0().idx()) - place.row(edge.v1().idx())).norm();
-        // From the middle of one triangle to that of the other, about a third of both heights.
-        limit.apply(m, n, (m.norm() + n.norm()) / (3 * length), {edge.v0().idx(), edge.v1().idx()});
-    }
-}
-
-void limit_on_border(const Mesh& mesh, const ChordLimit& limit)
-{
-    const auto place = points(mesh);
-    for (const auto h : mesh.kernel.halfedges()) {
-        if (!h.is_boundary())
-            continue;
-        const auto next = h.next();
-        const Eigen::Vector3d before = place.row(h.to().idx()) - place.row(h.from().idx()),
-                              after = place.row(next.to().idx()) - place.row(next.from().idx());
-        limit.apply(before, after, (before.norm() + after.norm()) / 2,
-                    {h.from().idx(), h.to().idx(), next.to().idx()});
-    }
-}
 
 /// Lower the sizes around places that are too far away.
 /// @param power  of the size that the distance goes with
@@ -118,25 +57,18 @@ Eigen::VectorXd least_sizes(const Mesh& mesh)
 
 } // namespace
 
-void limit_chord_error(const Mesh& mesh, double error, const FeatureSettings& features,
-                       Eigen::VectorXd& sizes)
-{
-    if (mesh.dimension == 2)
-        limit_on_border(mesh, {error, features.corner_angle, sizes});
-    else
-        limit_on_surface(mesh, {error, features.crease_angle, sizes});
-}
-
 RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
                          const RemeshSettings& settings)
 {
-    constexpr int kRounds = 6;
+    constexpr int kRounds = 10; // far more than it takes where the distance can be met
     if (!(distance > 0))
         throw InputError("the distance from the input to keep is " + number_text(distance) +
                          ", but it has to be positive");
     const Eigen::VectorXd least = least_sizes(mesh).cwiseMin(sizes);
-    limit_chord_error(mesh, distance / (kLongEdge * kLongEdge), settings.features, sizes);
-    sizes = sizes.cwiseMax(least);
+    // The middle of an equilateral triangle is h^2 / 6 r from a sphere, that of its edge h^2 / 8 r.
+    const double of_edge = mesh.dimension == 2 ? distance : 0.75 * distance;
+    const double of_wanted_length = of_edge / (kLongEdge * kLongEdge);
+    sizes = sizes.cwiseMin(chord_sizes(mesh, settings.features, of_wanted_length)).cwiseMax(least);
     RemadeMesh made = remesh(mesh, sizes, settings);
     const ElementTree tree(mesh);
     for (int round = 0; round < kRounds; ++round) {

@@ -164,19 +164,25 @@ MeshData scan(Index count)
     }
     CGAL::Surface_mesh<Point> hull; // of points on a sphere: their Delaunay triangulation
     CGAL::convex_hull_3(directions.begin(), directions.end(), hull);
+    // The hull lists the same triangles in another order each time, and from another corner.
+    std::map<Point, Index> number_of;
     SurfaceMaker maker;
-    const auto at = [&](const Point& p, Index number) {
+    for (const Point& p : directions) {
         const Eigen::Vector3d d(p.x(), p.y(), p.z());
-        return maker.vertex({number, 0, 0}, (bumpy_radius(d) + kNoise * uniform()) * d);
-    };
-    for (const auto vertex : hull.vertices())
-        at(hull.point(vertex), static_cast<Index>(vertex));
-    for (const auto face : hull.faces()) {
-        std::vector<Index> corners;
-        for (const auto vertex : hull.vertices_around_face(hull.halfedge(face)))
-            corners.push_back(static_cast<Index>(vertex));
-        maker.triangle(corners[0], corners[1], corners[2]);
+        const auto number = static_cast<Index>(number_of.size());
+        number_of.emplace(p, maker.vertex({number, 0, 0}, (bumpy_radius(d) + kNoise * uniform()) * d));
     }
+    std::set<std::array<Index, 3>> triangles;
+    for (const auto face : hull.faces()) {
+        std::array<Index, 3> corners{};
+        std::size_t k = 0;
+        for (const auto vertex : hull.vertices_around_face(hull.halfedge(face)))
+            corners[k++] = number_of.at(hull.point(vertex));
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        triangles.insert(corners);
+    }
+    for (const auto& [a, b, c] : triangles)
+        maker.triangle(a, b, c);
     return maker.finish();
 }
 

@@ -9,7 +9,7 @@
 #include "tools/common/quality_json.h"
 #include "tools/common/run.h"
 
-#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -73,62 +73,64 @@ std::string worst_triangle(const nlohmann::ordered_json& triangles)
            ")";
 }
 
-/// The edge whose length is farthest from the one wanted, by its factor.
-struct WorstEdge {
-    double part = 1; ///< of the length wanted
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    bool held = false; ///< both ends are on the boundary or on kept elements
-};
-
-std::vector<bool> held_vertices(const Mesh& mesh)
+bool is_held(const Mesh& mesh, Index vertex)
 {
-    std::vector<bool> held(static_cast<std::size_t>(vertex_count(mesh)), false);
-    const auto hold = [&](Index v) { held[static_cast<std::size_t>(v)] = true; };
-    for (const auto vertex : mesh.kernel.vertices())
-        if (vertex.is_boundary())
-            hold(vertex.idx());
-    for (const Marker& marker : mesh.markers)
-        for (const Index v : marker_vertices(marker))
-            hold(v);
-    for (const Element& e : element_table(mesh))
-        if (e[3] >= 0)
-            for (const Index v : e)
-                hold(v);
-    return held;
+    const VertexHandle v(vertex);
+    if (mesh.kernel.is_boundary(v))
+        return true;
+    for (auto face = mesh.kernel.cvf_begin(v); face.is_valid(); ++face)
+        if (element_corners(mesh, face->idx())[3] >= 0)
+            return true;
+    return false;
 }
 
-WorstEdge worst_edge(const Mesh& mesh, const Eigen::VectorXd& sizes)
+/// Why an edge does not have the length wanted, as far as that is known.
+std::string reason_of(const Mesh& mesh, const SizeConformity& found, const RemeshWishes& wishes)
 {
-    const auto place = points(mesh);
-    const std::vector<bool> held = held_vertices(mesh);
-    const auto is_held = [&](Index v) { return held[static_cast<std::size_t>(v)]; };
-    WorstEdge worst;
-    for (const auto edge : mesh.kernel.edges()) {
-        const Index a = edge.v0().idx(), b = edge.v1().idx();
-        const double part = 2 * (place.row(a) - place.row(b)).norm() / (sizes[a] + sizes[b]);
-        if (std::max(part, 1 / part) > std::max(worst.part, 1 / worst.part))
-            worst = {part, (place.row(a) + place.row(b)) / 2, is_held(a) && is_held(b)};
-    }
-    return worst;
+    constexpr double kShort = 0.7;
+    const auto [a, b] = found.worst;
+    const double part = (wishes.possible[a] + wishes.possible[b]) / (wishes.sizes[a] + wishes.sizes[b]);
+    if (found.relative_length > kShort)
+        return "";
+    if (part < kShort)
+        return ": a boundary that is curved there, or a kept element, asks for " + short_number(part) +
+               " of it";
+    return is_held(mesh, a) && is_held(mesh, b) ? ": what is held there is nearer than that" : "";
 }
 
-/// What was wished for and could not be had.
-void describe_sizes(const Mesh& mesh, const Eigen::VectorXd& sizes, Report& report)
+void describe_count(const Mesh& mesh, Index wanted, Report& report)
+{
+    constexpr double kNear = 0.02;
+    const auto count = static_cast<double>(vertex_count(mesh));
+    if (wanted == 0 || std::abs(count / wanted - 1) <= kNear)
+        return;
+    report.say("  " + std::to_string(wanted) + " vertices were wanted: " +
+               (count > wanted ? "boundaries, corners and kept elements ask for more"
+                               : "sizes cannot be lowered that evenly"));
+}
+
+/// What was wished for, and what of it could not be had.
+void describe_sizes(const Mesh& mesh, const RemeshWishes& wishes, Report& report)
 {
     constexpr double kShort = 0.7, kLong = 1.4;
-    const double conformity = size_conformity(mesh, sizes);
-    const WorstEdge worst = worst_edge(mesh, sizes);
-    report.json["size_conformity"] = conformity;
-    report.json["worst_edge"] = {{"part_of_size", worst.part}, {"at", coordinates(mesh, worst.middle)}};
-    report.say("  " + short_number(100 * conformity) +
-               " % of the edges have 0.7 to 1.4 times the length wanted");
-    if (worst.part >= kShort && worst.part <= kLong)
+    const SizeConformity found = edge_conformity(mesh, wishes.sizes);
+    const double of_possible = size_conformity(mesh, wishes.possible);
+    report.json["size_conformity"] = found.share;
+    report.json["possible_size_conformity"] = of_possible;
+    report.say(
+        "  " + short_number(100 * found.share) + " % of the edges have 0.7 to 1.4 times the length wanted" +
+        (of_possible > found.share
+             ? ", " + short_number(100 * of_possible) + " % of them what boundaries and kept elements allow"
+             : ""));
+    if (found.worst[0] < 0) // all are exactly as wanted
         return;
-    std::string reason;
-    if (worst.held && worst.part < kShort)
-        reason = ": what is held there, corners or kept elements, is nearer than that";
-    report.say("  the worst at " + text_of(coordinates(mesh, worst.middle)) + " has " +
-               short_number(worst.part) + " times that" + reason);
+    const auto place = points(mesh);
+    const nlohmann::ordered_json at =
+        coordinates(mesh, (place.row(found.worst[0]) + place.row(found.worst[1])) / 2);
+    report.json["worst_edge"] = {{"part_of_size", found.relative_length}, {"at", at}};
+    if (found.relative_length < kShort || found.relative_length > kLong)
+        report.say("  the worst at " + text_of(at) + " has " + short_number(found.relative_length) +
+                   " times that" + reason_of(mesh, found, wishes));
 }
 
 void describe_distance(const Mesh& old, const Mesh& mesh, Report& report)
@@ -160,7 +162,7 @@ void describe_folds(const Mesh& old, const Mesh& mesh, const std::string& output
 
 } // namespace
 
-void describe_remeshing(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd& sizes,
+void describe_remeshing(const Mesh& old, const Mesh& mesh, const RemeshWishes& wishes,
                         const std::string& output, Report& report)
 {
     const QualityReport before = quality_report(old), after = quality_report(mesh);
@@ -170,7 +172,8 @@ void describe_remeshing(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd
                std::to_string(after.triangles) + " triangles, " + std::to_string(after.quads) +
                " quads (from " + std::to_string(before.vertices) + ", " + std::to_string(before.triangles) +
                ", " + std::to_string(before.quads) + ")");
-    describe_sizes(mesh, sizes, report);
+    describe_count(mesh, wishes.vertices, report);
+    describe_sizes(mesh, wishes, report);
     report.say("  worst triangle: quality " + worst_triangle(report.json["triangle_quality"]["after"]) +
                ", was " + worst_triangle(report.json["triangle_quality"]["before"]));
     describe_distance(old, mesh, report);

@@ -7,11 +7,17 @@
 
 namespace morph::tools {
 
-/// Say and report what became of a mesh: counts, quality before and after, how well sizes were met, how far
+/// What was wished for a mesh, at its n vertices.
+struct RemeshWishes {
+    Eigen::VectorXd sizes;    ///< edge lengths wanted
+    Eigen::VectorXd possible; ///< what curved boundaries and kept elements leave of them
+    Index vertices = 0;       ///< number wanted; 0: any
+};
+
+/// Say and report what became of a mesh: counts, quality before and after, how well wishes were met, how far
 /// it is from the old one, and what is folded over.
-/// @param sizes   edge lengths wanted at the vertices of @p mesh
-/// @param output  name of its file
-void describe_remeshing(const Mesh& old, const Mesh& mesh, const Eigen::VectorXd& sizes,
+/// @param output  name of the file of @p mesh
+void describe_remeshing(const Mesh& old, const Mesh& mesh, const RemeshWishes& wishes,
                         const std::string& output, Report& report);
 
 } // namespace morph::tools
