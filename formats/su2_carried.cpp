@@ -4,16 +4,17 @@
 
 namespace morph {
 
-void Su2CarriedSections::append(const std::string& what, bool counted, std::size_t count,
-                                std::string_view text)
+Su2CarriedSections::Section& Su2CarriedSections::append(const std::string& what, bool counted,
+                                                        std::size_t count, std::string_view text)
 {
     if (sections_.empty() || !counted || sections_.back().what != what)
-        sections_.push_back({what, counted, 0, ""});
+        sections_.push_back({what, counted, 0, "", true});
     Section& section = sections_.back();
     section.count += count;
     section.text += text;
     if (!section.text.ends_with('\n'))
         section.text += '\n';
+    return section;
 }
 
 void Su2CarriedSections::add_section(std::string_view key, std::string_view text)
@@ -21,9 +22,11 @@ void Su2CarriedSections::add_section(std::string_view key, std::string_view text
     if (key.starts_with("FFD_"))
         append("FFD box(es)", true, key == "FFD_TAG" ? 1 : 0, text);
     else if (key.starts_with("NPERIODIC") || key.starts_with("PERIODIC_"))
-        append("periodic transformation(s)", true, key == "PERIODIC_INDEX" ? 1 : 0, text);
+        append("periodic transformation(s)", true, key == "PERIODIC_INDEX" ? 1 : 0, text).names_vertices =
+            false;
     else
-        append("the section " + std::string(key), false, 0, text);
+        append("the section " + std::string(key), false, 0, text).names_vertices =
+            key != "AOA_OFFSET" && key != "AOS_OFFSET";
 }
 
 void Su2CarriedSections::add_marker(std::string_view text)
@@ -52,7 +55,7 @@ std::vector<CarriedText> Su2CarriedSections::texts() const
     for (const Section& section : sections_)
         texts.push_back({"su2",
                          section.counted ? std::to_string(section.count) + " " + section.what : section.what,
-                         section.text});
+                         section.text, section.names_vertices});
     return texts;
 }
 

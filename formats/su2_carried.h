@@ -28,8 +28,9 @@ private:
         bool counted = false;
         std::size_t count = 0;
         std::string text;
+        bool names_vertices = true;
     };
-    void append(const std::string& what, bool counted, std::size_t count, std::string_view text);
+    Section& append(const std::string& what, bool counted, std::size_t count, std::string_view text);
 
     std::vector<Section> sections_;
 };

@@ -73,7 +73,7 @@ UgridNames read_ugrid_names(const std::string& path, std::string_view text)
     }
     if (set > 0)
         names.carried.push_back(
-            {"ugrid", "the boundary conditions of " + std::to_string(set) + " group(s)", conditions});
+            {"ugrid", "the boundary conditions of " + std::to_string(set) + " group(s)", conditions, false});
     return names;
 }
 

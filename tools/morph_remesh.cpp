@@ -160,15 +160,18 @@ int remesh_file(int argc, char** argv)
     wishes.sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
     wishes.vertices = wanted_vertices(old, options.sizes);
     const GroupRegions regions = group_regions(old);
-    for (const CarriedText& carried : old.carried)
-        warn(kTool,
-             options.input + ": " + carried.what + " may name vertices that are no more, and was left out");
     Mesh mesh = remade_between(old, regions, [&](const Mesh& from) {
         RemadeMesh made = remade(from, options, settings, wishes.sizes);
         wishes.possible = std::move(made.sizes);
         return build_mesh(made.data);
     });
     const double remeshed = watch.lap();
+    for (const CarriedText& carried : old.carried)
+        if (carried.names_vertices)
+            warn(kTool, options.input + ": " + carried.what +
+                            " may name vertices that are no more, and was left out");
+        else
+            mesh.carried.push_back(carried);
     const Locator locator(old);
     if (!old.groups.empty())
         mesh.groups = carried_groups(locator, regions, mesh);

@@ -45,6 +45,7 @@ struct CarriedText {
     std::string format; ///< name of the format, such as "su2"
     std::string what;   ///< a few words for the warning, such as "2 FFD boxes"
     std::string text;
+    bool names_vertices = true; ///< vertices or elements, by number: no use for another mesh
 };
 
 /// A mesh as a file holds it: flat arrays in the file's numbering. Readers fill it, writers take it,

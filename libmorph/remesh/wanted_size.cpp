@@ -39,6 +39,16 @@ bool is_triangle(const Mesh& mesh, Index halfedge)
     return !mesh.kernel.is_boundary(h) && after(after(after(h))) == h;
 }
 
+bool beside_quad(const Mesh& mesh, Index e)
+{
+    for (const Index h : {2 * e, 2 * e + 1}) {
+        const auto face = mesh.kernel.face_handle(HalfedgeHandle(h));
+        if (face.is_valid() && element_corners(mesh, face.idx())[3] >= 0)
+            return true;
+    }
+    return false;
+}
+
 /// Carries small sizes on from vertex to vertex, the smallest first, as Dijkstra's algorithm does.
 class SizeSpread {
 public:
@@ -154,9 +164,12 @@ void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes)
 SizeConformity edge_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
 {
     SizeConformity found;
-    Index good = 0;
+    Index good = 0, edges = 0;
     double farthest = 0;
     for (Index e = 0; e < edge_count(mesh); ++e) {
+        if (beside_quad(mesh, e))
+            continue;
+        ++edges;
         const Edge edge = edge_of(mesh, e);
         const double part = 2 * edge.length / (sizes[edge.a] + sizes[edge.b]);
         good += part >= kShortEdge && part <= kLongEdge ? 1 : 0;
@@ -167,8 +180,8 @@ SizeConformity edge_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes)
         found.worst = {edge.a, edge.b};
         found.relative_length = part;
     }
-    if (edge_count(mesh) > 0)
-        found.share = static_cast<double>(good) / edge_count(mesh);
+    if (edges > 0)
+        found.share = static_cast<double>(good) / edges;
     return found;
 }
 

@@ -42,7 +42,8 @@ struct SizeConformity {
     double relative_length = 1; ///< of that edge: its length over the one wanted
 };
 
-/// The length of each edge against the mean of the sizes wanted at its ends.
+/// The length of each edge, but those of quads, which nobody remakes, against the mean of the sizes wanted at
+/// its ends.
 /// @param sizes  n, positive
 SizeConformity edge_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes);
 
