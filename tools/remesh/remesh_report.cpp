@@ -66,7 +66,7 @@ nlohmann::ordered_json triangle_json(const Mesh& mesh)
 
 std::string worst_triangle(const nlohmann::ordered_json& triangles)
 {
-    if (triangles.is_null())
+    if (triangles.is_null()) // only inverted quads, which were cut out
         return "none";
     return short_number(triangles["min"]) + " (element " +
            std::to_string(triangles["worst_element"].get<Index>()) + " at " + text_of(triangles["worst_at"]) +
@@ -172,10 +172,15 @@ void describe_remeshing(const Mesh& old, const Mesh& mesh, const RemeshWishes& w
                std::to_string(after.triangles) + " triangles, " + std::to_string(after.quads) +
                " quads (from " + std::to_string(before.vertices) + ", " + std::to_string(before.triangles) +
                ", " + std::to_string(before.quads) + ")");
-    describe_count(mesh, wishes.vertices, report);
-    describe_sizes(mesh, wishes, report);
-    report.say("  worst triangle: quality " + worst_triangle(report.json["triangle_quality"]["after"]) +
-               ", was " + worst_triangle(report.json["triangle_quality"]["before"]));
+    if (after.triangles == 0) {
+        report.say(
+            "  there is no triangle to remake, and quads stay; morph-convert --triangulate splits them");
+    } else {
+        describe_count(mesh, wishes.vertices, report);
+        describe_sizes(mesh, wishes, report);
+        report.say("  worst triangle: quality " + worst_triangle(report.json["triangle_quality"]["after"]) +
+                   ", was " + worst_triangle(report.json["triangle_quality"]["before"]));
+    }
     describe_distance(old, mesh, report);
     describe_folds(old, mesh, output, report);
     for (const std::string& text : quality_summary(after))

@@ -48,12 +48,22 @@ TEST(WantedSize, GradationIsTheSmallestSizePlusAFifthOfTheWayAndLeavesSmallerOne
 
 TEST(WantedSize, ConformityNamesTheEdgeFarthestFromItsWish)
 {
-    const Mesh mesh = build_mesh(house());
-    const SizeConformity found = edge_conformity(mesh, Eigen::VectorXd::Constant(5, 1.0));
-    EXPECT_NEAR(found.share, 4.0 / 6, 1e-15); // two of the six edges have a length of 0.1
+    MeshData data = house();
+    data.elements = {{0, 1, 2, -1}, {0, 2, 3, -1}, {3, 2, 4, -1}};
+    const Mesh mesh = build_mesh(data);
+    const Eigen::VectorXd sizes = Eigen::VectorXd::Constant(5, 1.0);
+    const SizeConformity found = edge_conformity(mesh, sizes);
+    EXPECT_NEAR(found.share, 5.0 / 7, 1e-15); // two of the seven edges have a length of 0.1
     EXPECT_NEAR(found.relative_length, 0.1, 1e-15);
     EXPECT_EQ(points(mesh)(found.worst[0], 0), points(mesh)(found.worst[1], 0)); // upright
-    EXPECT_EQ(size_conformity(mesh, Eigen::VectorXd::Constant(5, 1.0)), found.share);
+    EXPECT_EQ(size_conformity(mesh, sizes), found.share);
+}
+
+TEST(WantedSize, ConformityLeavesOutTheEdgesOfQuads)
+{
+    const Mesh mesh = build_mesh(house());
+    EXPECT_EQ(size_conformity(mesh, Eigen::VectorXd::Constant(5, 1.0)), 1);
+    EXPECT_EQ(size_conformity(mesh, Eigen::VectorXd::Constant(5, 2.0)), 0); // two edges of half that remain
 }
 
 } // namespace
