@@ -25,7 +25,7 @@ double distance_to(const Points& points, const std::array<Index, 2>& segment, co
 
 class RandomSegments : public testing::TestWithParam<Index> {
 protected:
-    RandomSegments() : points(Points::Random(2 * GetParam(), 3))
+    RandomSegments() : points(Points::Random(Eigen::Index{2} * GetParam(), 3))
     {
         for (Index i = 0; i < GetParam(); ++i)
             segments.push_back({2 * i, i % 5 == 0 ? 2 * i : 2 * i + 1}); // every fifth is a point
