@@ -31,6 +31,7 @@ struct Options {
     double only_bad = 0;
     std::vector<std::string> keep;
     double hausdorff = 0;
+    double crease = FeatureSettings{}.crease_angle;
     std::string case_file;
     bool no_fields = false;
     bool fresh = false;
@@ -62,6 +63,13 @@ void add_options(CommandLine& line, Options& options)
         ->check(CLI::PositiveNumber)
         ->excludes("--vertices")
         ->type_name("D");
+    app.add_option(
+           "--crease", options.crease,
+           "Degrees between two triangles of a surface from which on the edge between them stays one;\n"
+           "edges of markers and borders of groups always do")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 180.0))
+        ->type_name("DEG");
     app.add_option("--case", options.case_file,
                    "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
                    "the smooth curve through the nodes of each marker, corners kept)")
@@ -85,6 +93,7 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
         settings.numbering = NumberingRule::keep_old;
     settings.iterations = options.iterations;
     settings.fresh = options.fresh;
+    settings.features.crease_angle = options.crease;
     if (!options.case_file.empty())
         for (const BoundaryEntry& boundary : read_case_file(options.case_file).boundaries)
             settings.features.curves.push_back({boundary.name, Curve(boundary.curve)});

@@ -5,6 +5,7 @@
 #include "tests/support/process.h"
 #include "tests/support/surfaces.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -354,6 +355,51 @@ TEST(MorphRemesh, RefusesASurfaceWithThreeTrianglesAtAnEdgeInOneLine)
     EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
     EXPECT_NE(result.errors.find("edge"), std::string::npos) << result.errors;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"book.obj"});
+}
+
+/// Two unit squares of a grid that meet at 30 degrees.
+MeshData flat_roof()
+{
+    constexpr Index kCells = 10;
+    MeshData roof;
+    roof.dimension = 3;
+    roof.points.resize((2 * kCells + 1) * (kCells + 1), 3);
+    const auto number = [](Index i, Index j) { return i * (kCells + 1) + j; };
+    for (Index i = 0; i <= 2 * kCells; ++i)
+        for (Index j = 0; j <= kCells; ++j) {
+            const double x = static_cast<double>(i) / kCells - 1;
+            const double slope = x > 0 ? std::sqrt(3.0) / 3 : 0;
+            roof.points.row(number(i, j)) << x, static_cast<double>(j) / kCells, slope * x;
+        }
+    for (Index i = 0; i < 2 * kCells; ++i)
+        for (Index j = 0; j < kCells; ++j) {
+            roof.elements.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1), -1});
+            roof.elements.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1), -1});
+        }
+    return roof;
+}
+
+double surface_area(const MeshData& mesh)
+{
+    double area = 0;
+    for (const Element& e : mesh.elements) {
+        const Eigen::Vector3d ab = mesh.points.row(e[1]) - mesh.points.row(e[0]);
+        const Eigen::Vector3d ac = mesh.points.row(e[2]) - mesh.points.row(e[0]);
+        area += ab.cross(ac).norm() / 2;
+    }
+    return area;
+}
+
+TEST(MorphRemesh, KeepsEdgesOfASurfaceFromTheAngleAskedForOn)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.vtu"), out = folder.file("out.vtu");
+    write_mesh_data(flat_roof(), in);
+    const double whole = 1 + 2 / std::sqrt(3.0);
+    remeshed({in, "-o", out, "--scale", "0.7", "--crease", "20"});
+    EXPECT_NEAR(surface_area(read_mesh_data(out)), whole, 1e-12); // sums of some hundred areas
+    remeshed({in, "-o", out, "--scale", "0.7"}); // 30 degrees are no crease, and corners are cut
+    EXPECT_LT(surface_area(read_mesh_data(out)), whole - 1e-4);
 }
 
 TEST(MorphRemesh, NamesAMissingSizeFieldAndWritesNothing)
