@@ -34,7 +34,7 @@ void require_sizes(const Mesh& mesh, const Eigen::VectorXd& sizes)
         throw InputError("there are " + std::to_string(sizes.size()) + " wanted sizes, but the mesh has " +
                          std::to_string(vertex_count(mesh)) + " vertices");
     for (Index v = 0; v < vertex_count(mesh); ++v)
-        if (!(sizes[v] > 0) || !std::isfinite(sizes[v]))
+        if (!mesh.kernel.is_isolated(VertexHandle(v)) && (!(sizes[v] > 0) || !std::isfinite(sizes[v])))
             throw InputError("vertex " + std::to_string(mesh.numbering.vertex[at(v)]) +
                              " has the wanted size " + number_text(sizes[v]) + ", but it has to be positive");
 }

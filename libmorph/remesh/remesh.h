@@ -31,10 +31,10 @@ struct RemeshSettings {
 /// retriangulate(); of the input's inside only the sizes count.
 ///
 /// @param mesh   planar with no inverted triangle, or a surface
-/// @param sizes  n: edge length wanted at each vertex, between them linear; positive; limit_by_curves()
-/// lowers them
+/// @param sizes  n: edge length wanted at each vertex, between them linear; positive, but for vertices of no
+///               element, which are left out; limit_by_curves() lowers them
 /// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
-/// that is
+///                     that is
 ///                     not kept; sizes or kept of the wrong number; fresh: as retriangulate()
 RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings = {});
 

@@ -402,6 +402,26 @@ TEST(MorphRemesh, KeepsEdgesOfASurfaceFromTheAngleAskedForOn)
     EXPECT_LT(surface_area(read_mesh_data(out)), whole - 1e-4);
 }
 
+TEST(MorphRemesh, LeavesOutVerticesOfNoElementAndSaysSo)
+{
+    const test::TemporaryFolder folder;
+    const std::string in = folder.file("in.vtu"), out = folder.file("out.vtu");
+    MeshData data = test::uneven_square(6);
+    const Index count = static_cast<Index>(data.points.rows());
+    data.points.conservativeResize(count + 2, 3);
+    data.points.bottomRows(2) << 0.5, 0.5, 0, 7, 7, 0; // such as the centres of arcs
+    write_mesh_data(data, in);
+    for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{}, {"--fresh"}}) {
+        std::vector<std::string> arguments{in, "-o", out};
+        arguments.insert(arguments.end(), option.begin(), option.end());
+        const test::ProcessResult result = test::run_tool("morph-remesh", arguments);
+        EXPECT_EQ(result.status, 0) << result.errors;
+        EXPECT_NE(result.output.find("2 vertices of no element were left out"), std::string::npos)
+            << result.output;
+        EXPECT_LE(read_mesh_data(out).points.maxCoeff(), 1);
+    }
+}
+
 TEST(MorphRemesh, NamesAMissingSizeFieldAndWritesNothing)
 {
     const test::TemporaryFolder folder;

@@ -98,6 +98,14 @@ std::string reason_of(const Mesh& mesh, const SizeConformity& found, const Remes
     return is_held(mesh, a) && is_held(mesh, b) ? ": what is held there is nearer than that" : "";
 }
 
+Index isolated_vertices(const Mesh& mesh)
+{
+    Index count = 0;
+    for (const auto vertex : mesh.kernel.vertices())
+        count += mesh.kernel.is_isolated(vertex) ? 1 : 0;
+    return count;
+}
+
 void describe_count(const Mesh& mesh, Index wanted, Report& report)
 {
     constexpr double kNear = 0.02;
@@ -172,6 +180,11 @@ void describe_remeshing(const Mesh& old, const Mesh& mesh, const RemeshWishes& w
                std::to_string(after.triangles) + " triangles, " + std::to_string(after.quads) +
                " quads (from " + std::to_string(before.vertices) + ", " + std::to_string(before.triangles) +
                ", " + std::to_string(before.quads) + ")");
+    const Index isolated = isolated_vertices(old) - isolated_vertices(mesh);
+    if (isolated > 0)
+        report.say(
+            "  " + std::to_string(isolated) +
+            (isolated == 1 ? " vertex of no element was left out" : " vertices of no element were left out"));
     if (after.triangles == 0) {
         report.say(
             "  there is no triangle to remake, and quads stay; morph-convert --triangulate splits them");

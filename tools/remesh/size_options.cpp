@@ -35,14 +35,15 @@ const Field& nodal_field(const Mesh& mesh, const std::string& name, const std::s
     throw InputError(input + ": has no nodal field '" + name + "'" + did_you_mean(name, names));
 }
 
-/// The vertex that comes first in the file of those with a value that is not right; -1: there is none.
+/// The vertex of an element that comes first in the file of those with a value that is not right; -1: none.
 template <typename Right>
 Index first_wrong(const Mesh& mesh, const Matrix& values, const Right& right)
 {
     Index first = -1;
     const auto number = [&](Index v) { return mesh.numbering.vertex[static_cast<std::size_t>(v)]; };
     for (Index v = 0; v < vertex_count(mesh); ++v)
-        if (!std::all_of(values.row(v).begin(), values.row(v).end(), right) &&
+        if (!mesh.kernel.is_isolated(VertexHandle(v)) &&
+            !std::all_of(values.row(v).begin(), values.row(v).end(), right) &&
             (first < 0 || number(v) < number(first)))
             first = v;
     return first;
