@@ -5,6 +5,8 @@
 #include "libmorph/remesh/chord_size.h"
 #include "libmorph/remesh/wanted_size.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -79,6 +81,16 @@ Eigen::VectorXd adapted_sizes(const Mesh& mesh, const std::string& name, const s
     return interpolation_sizes(mesh, field.values);
 }
 
+/// Of the bounding box of what belongs to elements.
+double diagonal_of(const Mesh& mesh)
+{
+    Eigen::AlignedBox3d box;
+    for (const auto vertex : mesh.kernel.vertices())
+        if (!mesh.kernel.is_isolated(vertex))
+            box.extend(Eigen::Vector3d(points(mesh).row(vertex.idx())));
+    return box.diagonal().norm();
+}
+
 /// Before what is common to all: what one option says, or the mesh has.
 Eigen::VectorXd source_sizes(const Mesh& mesh, const SizeOptions& options, const std::string& input)
 {
@@ -90,9 +102,7 @@ Eigen::VectorXd source_sizes(const Mesh& mesh, const SizeOptions& options, const
         return Eigen::VectorXd::Constant(vertex_count(mesh), options.size);
     if (options.curvature > 0) {
         constexpr double kLargest = 0.1; // of the diagonal of the bounding box
-        const auto place = points(mesh);
-        const double diagonal = (place.colwise().maxCoeff() - place.colwise().minCoeff()).norm();
-        return Eigen::VectorXd::Constant(vertex_count(mesh), kLargest * diagonal);
+        return Eigen::VectorXd::Constant(vertex_count(mesh), kLargest * diagonal_of(mesh));
     }
     return own_sizes(mesh);
 }
