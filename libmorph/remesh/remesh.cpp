@@ -4,17 +4,13 @@
 #include "libmorph/core/names.h"
 #include "libmorph/core/progress.h"
 #include "libmorph/core/space_curve.h"
-#include "libmorph/geometry/element_tree.h"
-#include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/curve_limit.h"
+#include "libmorph/remesh/outline_start.h"
 #include "libmorph/remesh/relax.h"
 #include "libmorph/remesh/resize.h"
-#include "libmorph/remesh/retriangulate.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <string>
 
 namespace morph {
@@ -149,63 +145,10 @@ RemadeMesh remade(Remaking& made, const Mesh& mesh, const std::vector<bool>& kep
     return mesh_of(made, before, mesh, kept, settings.numbering);
 }
 
-/// Finds triangles of the underlay, which are the elements of the mesh that are not kept, in their order.
-std::function<Index(const Eigen::Vector3d&)> jump_in(const Mesh& mesh, const std::vector<bool>& kept)
-{
-    std::vector<Index> triangle(kept.size(), -1);
-    Index count = 0;
-    for (std::size_t f = 0; f < kept.size(); ++f)
-        if (!kept[f])
-            triangle[f] = count++;
-    return [tree = std::make_shared<ElementTree>(mesh), triangle](const Eigen::Vector3d& point) {
-        return triangle[at(tree->closest(point).face)];
-    };
-}
-
-/// A mesh without the vertices inside what is to be remade.
-struct Outline {
-    Mesh mesh;
-    std::vector<bool> kept;
-    std::vector<Index> vertex; ///< of each of its vertices, the number in the file of the mesh
-};
-
-Outline outline_of(const Mesh& mesh, const std::vector<bool>& kept)
-{
-    RetriangulateSettings settings;
-    settings.inner_vertices = false;
-    settings.carry = false;
-    const Retriangulated bare = retriangulate(mesh, kept, settings);
-    Outline outline{build_mesh(bare.data), {}, {}};
-    for (const Index element : outline.mesh.numbering.element)
-        outline.kept.push_back(!bare.made[at(element)]);
-    for (const Index vertex : outline.mesh.numbering.vertex)
-        outline.vertex.push_back(bare.vertex[at(vertex)]);
-    return outline;
-}
-
-/// The net of an outline whose vertices know their place and size on the mesh itself.
-TriangleNet net_on(const Underlay& underlay, const Mesh& mesh, const Outline& outline)
-{
-    const TriangleNet& below = underlay.net();
-    std::vector<Index> of_file(at(mesh.numbering.file_vertices), -1);
-    for (std::size_t v = 0; v < below.vertices.size(); ++v)
-        of_file[at(mesh.numbering.vertex[at(below.vertices[v].origin)])] = static_cast<Index>(v);
-    TriangleNet net = net_of(outline.mesh, outline.kept);
-    for (NetVertex& vertex : net.vertices) {
-        const NetVertex& same = below.vertices[at(of_file[at(outline.vertex[at(vertex.origin)])])];
-        vertex.size = same.size;
-        vertex.below = same.out / 3;
-    }
-    return net;
-}
-
 RemadeMesh made_anew(Remaking& made, const Mesh& mesh, const std::vector<bool>& kept,
                      const RemeshSettings& settings)
 {
-    const Outline outline = outline_of(mesh, kept);
-    made.net = net_on(made.underlay, mesh, outline);
-    made.curves.clear();
-    made.underlay.jump_with(jump_in(mesh, kept));
+    const Outline outline = start_from_outline(made, mesh, kept);
     mark_features(made, outline.mesh, settings);
     return remade(made, outline.mesh, outline.kept, settings);
 }
