@@ -363,7 +363,7 @@ MeshData flat_roof()
     constexpr Index kCells = 10;
     MeshData roof;
     roof.dimension = 3;
-    roof.points.resize((2 * kCells + 1) * (kCells + 1), 3);
+    roof.points.resize((Eigen::Index{2} * kCells + 1) * (kCells + 1), 3);
     const auto number = [](Index i, Index j) { return i * (kCells + 1) + j; };
     for (Index i = 0; i <= 2 * kCells; ++i)
         for (Index j = 0; j <= kCells; ++j) {

@@ -38,8 +38,8 @@ struct DeformResult {
     Index tangled = 0;                       ///< inverted elements before the repair
     std::optional<UntangleResult> untangled; ///< with guard = "untangle" or "remesh", when there was
                                              ///< something to repair
-    std::optional<RemeshedPart> remeshed; ///< with guard = "remesh", when there was something left to do
-    std::optional<SafeStep> safe_step;    ///< planar meshes, moves linear in the control points
+    std::optional<RemeshedPart> remeshed;    ///< with guard = "remesh", when there was something left to do
+    std::optional<SafeStep> safe_step;       ///< planar meshes, moves linear in the control points
     StageSeconds seconds;
 };
 
