@@ -2,6 +2,7 @@
 #include "libmorph/core/types.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
+#include "tests/tools/remeshed.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,14 +14,7 @@
 namespace morph {
 namespace {
 
-nlohmann::json remeshed(const std::vector<std::string>& arguments)
-{
-    std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--json", "-"});
-    const test::ProcessResult result = test::run_tool("morph-remesh", all);
-    EXPECT_EQ(result.status, 0) << result.errors;
-    return nlohmann::json::parse(result.output);
-}
+using test::remeshed;
 
 std::string errors_of(const std::vector<std::string>& arguments)
 {

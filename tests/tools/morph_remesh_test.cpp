@@ -3,6 +3,7 @@
 #include "libmorph/quality/quality.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
+#include "tests/tools/remeshed.h"
 #include "tests/support/surfaces.h"
 
 #include <Eigen/Geometry>
@@ -17,14 +18,7 @@
 namespace morph {
 namespace {
 
-nlohmann::json remeshed(const std::vector<std::string>& arguments)
-{
-    std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--json", "-"});
-    const test::ProcessResult result = test::run_tool("morph-remesh", all);
-    EXPECT_EQ(result.status, 0) << result.errors;
-    return nlohmann::json::parse(result.output);
-}
+using test::remeshed;
 
 TEST(MorphRemesh, CoarsensEveryRealMeshWithoutInvertingAnElementOrLosingAMarker)
 {
