@@ -3,8 +3,8 @@
 #include "libmorph/quality/quality.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
-#include "tests/tools/remeshed.h"
 #include "tests/support/surfaces.h"
+#include "tests/tools/remeshed.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
