@@ -86,7 +86,7 @@ std::vector<std::string> losses(const MeshData& data, const Format& format, cons
         lost.push_back(cannot + field_list(data, FieldLocation::vertex));
     if (!format.holds.element_fields && has_fields(data, FieldLocation::element))
         lost.push_back(cannot + field_list(data, FieldLocation::element));
-    for (const CarriedText& carried : data.carried)
+    for (const OpaqueSection& carried : data.sections)
         if (carried.format != format.name)
             lost.push_back(cannot + carried.what);
     if (format.losses)
@@ -164,7 +164,7 @@ Mesh build_mesh_of(MeshData data, const std::string& path)
 std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, const std::string& format,
                                     const WriteOptions& options)
 {
-    return write_mesh_data(to_data(mesh), path, format, options);
+    return write_mesh_data(to_mesh_data(mesh), path, format, options);
 }
 
 std::vector<std::string> write_mesh_data(const MeshData& data, const std::string& path, OutputFiles& files,

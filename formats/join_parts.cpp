@@ -120,7 +120,7 @@ private:
         mesh_.points.middleRows(first_vertex_, from.points.rows()) = from.points;
         first_vertex_ += static_cast<Index>(from.points.rows());
         mesh_.dimension = std::max(mesh_.dimension, from.dimension);
-        mesh_.carried.insert(mesh_.carried.end(), from.carried.begin(), from.carried.end());
+        mesh_.sections.insert(mesh_.sections.end(), from.sections.begin(), from.sections.end());
     }
 
     std::vector<MeshPart>& parts_;

@@ -95,7 +95,7 @@ std::size_t listed_medit_things(MeditListed listed, const MeditEdges& edges, con
                       [&](const Element& element) { return is_face_of(listed, element); }));
 }
 
-CarriedText carried_vertex_references(const std::vector<std::int64_t>& references)
+OpaqueSection carried_vertex_references(const std::vector<std::int64_t>& references)
 {
     std::string text = std::string(kVertexReferences) + "\n";
     for (const std::int64_t reference : references)
@@ -103,7 +103,7 @@ CarriedText carried_vertex_references(const std::vector<std::int64_t>& reference
     return {"medit", "the references of " + std::to_string(references.size()) + " vertices", text};
 }
 
-CarriedText carried_list(const MeditNumbers& list, const MeditEdges& edges, const MeshData& mesh)
+OpaqueSection carried_list(const MeditNumbers& list, const MeditEdges& edges, const MeshData& mesh)
 {
     std::string text = std::string(list.list.keyword) + "\n";
     const std::vector<Index> faces = faces_of(list.list.listed, mesh);
@@ -124,7 +124,7 @@ MeditExtras medit_extras(const MeshData& mesh, const MeditEdges& edges)
     MeditExtras extras;
     const EdgeNumbers edge_numbers(edges);
     const auto vertices = static_cast<std::size_t>(mesh.points.rows());
-    for (const CarriedText& carried : mesh.carried) {
+    for (const OpaqueSection& carried : mesh.sections) {
         if (carried.format != "medit")
             continue;
         TextScanner in("", carried.text);

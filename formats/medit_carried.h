@@ -26,14 +26,14 @@ using MeditEdges = std::vector<std::array<Index, 2>>;
 /// How many vertices, edges or faces there are for such a list.
 std::size_t listed_medit_things(MeditListed listed, const MeditEdges& edges, const MeshData& mesh);
 
-CarriedText carried_vertex_references(const std::vector<std::int64_t>& references);
+OpaqueSection carried_vertex_references(const std::vector<std::int64_t>& references);
 /// @param list  its numbers are from 1 to listed_medit_things()
-CarriedText carried_list(const MeditNumbers& list, const MeditEdges& edges, const MeshData& mesh);
+OpaqueSection carried_list(const MeditNumbers& list, const MeditEdges& edges, const MeshData& mesh);
 
 /// What goes back into a file.
 struct MeditExtras {
     std::vector<std::int64_t> vertex_references; ///< empty: all are 0
-    std::vector<MeditNumbers> lists;             ///< in the order of mesh.carried
+    std::vector<MeditNumbers> lists;             ///< in the order of mesh.sections
     std::vector<std::string> lost;               ///< what fits the mesh no more, for a warning
 };
 

@@ -185,7 +185,7 @@ private:
         const bool marked = std::any_of(vertex_references_.begin(), vertex_references_.end(),
                                         [](std::int64_t reference) { return reference != 0; });
         if (marked)
-            mesh.carried.push_back(carried_vertex_references(vertex_references_));
+            mesh.sections.push_back(carried_vertex_references(vertex_references_));
         for (const MeditNumbers& list : lists_)
             carry(list);
         if (!volume_.cells.empty())
@@ -202,15 +202,15 @@ private:
                                                 std::to_string(number) + ", but the mesh has " +
                                                 std::to_string(count) + " of these");
         if (!list.numbers.empty())
-            mesh.carried.push_back(carried_list(list, edges_, mesh));
+            mesh.sections.push_back(carried_list(list, edges_, mesh));
     }
 
     /// The boundary of a volume has other vertices and faces than the file.
     void drop_carried()
     {
-        for (const CarriedText& carried : volume_.mesh.carried)
+        for (const OpaqueSection& carried : volume_.mesh.sections)
             file_.warn(carried.what + " of the volume mesh were left out");
-        volume_.mesh.carried.clear();
+        volume_.mesh.sections.clear();
     }
 
     const InputBytes& file_;

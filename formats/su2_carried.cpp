@@ -49,9 +49,9 @@ void Su2CarriedSections::add_header(std::string_view line)
     append("the second number of " + plain, false, 0, line);
 }
 
-std::vector<CarriedText> Su2CarriedSections::texts() const
+std::vector<OpaqueSection> Su2CarriedSections::texts() const
 {
-    std::vector<CarriedText> texts;
+    std::vector<OpaqueSection> texts;
     for (const Section& section : sections_)
         texts.push_back({"su2",
                          section.counted ? std::to_string(section.count) + " " + section.what : section.what,

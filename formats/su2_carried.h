@@ -20,7 +20,7 @@ public:
     /// A count line with further numbers, such as "NPOIN= 16009 15715".
     void add_header(std::string_view line);
 
-    std::vector<CarriedText> texts() const;
+    std::vector<OpaqueSection> texts() const;
 
 private:
     struct Section {

@@ -177,10 +177,10 @@ Su2FfdBox finished(const std::string& path, const RawBox& raw)
 
 } // namespace
 
-std::vector<Su2FfdBox> su2_ffd_boxes(const std::vector<CarriedText>& carried, const std::string& path)
+std::vector<Su2FfdBox> su2_ffd_boxes(const std::vector<OpaqueSection>& carried, const std::string& path)
 {
     std::vector<Su2FfdBox> boxes;
-    for (const CarriedText& text : carried)
+    for (const OpaqueSection& text : carried)
         if (text.format == "su2")
             for (const RawBox& raw : BoxReader(text.text, path).read())
                 boxes.push_back(finished(path, raw));

@@ -27,6 +27,6 @@ struct Su2FfdBox {
 /// @throws InputError  a box without tag, degrees or points, or with a number of them that does not go with
 /// its
 ///                     degrees; names the box
-std::vector<Su2FfdBox> su2_ffd_boxes(const std::vector<CarriedText>& carried, const std::string& path);
+std::vector<Su2FfdBox> su2_ffd_boxes(const std::vector<OpaqueSection>& carried, const std::string& path);
 
 } // namespace morph

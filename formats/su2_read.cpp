@@ -119,7 +119,7 @@ private:
             add_marker(std::move(marker), z, vertex);
         for (ElementGroup& group : mesh.groups)
             add_group(std::move(group), z, element);
-        for (const CarriedText& carried : mesh.carried)
+        for (const OpaqueSection& carried : mesh.sections)
             file_.warn(carried.what + " of zone " + std::to_string(z + 1) +
                        " left out of the joined zones; take a zone alone to keep it");
         mesh = {};

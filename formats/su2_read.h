@@ -8,7 +8,7 @@ namespace morph {
 /// spacing, `%` comments.
 ///
 /// Vertices that carry ids at the end of their lines are sorted by them, as connectivity refers to
-/// ids. Sections that are not understood come back as CarriedText. Of several zones one is taken, or they
+/// ids. Sections that are not understood come back as OpaqueSection. Of several zones one is taken, or they
 /// are put behind one another, each a group "zone_1", …, with markers that several have called
 /// "NAME_zone_1", …. The faces of a volume's markers are groups of the surface.
 ///

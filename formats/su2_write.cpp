@@ -19,13 +19,13 @@ void append_count(OutputFile& out, std::string_view key, std::size_t count)
 }
 
 /// Carried text that starts with this key, or null.
-const CarriedText* carried_section(const MeshData& data, std::string_view key)
+const OpaqueSection* carried_section(const MeshData& data, std::string_view key)
 {
     const auto found =
-        std::find_if(data.carried.begin(), data.carried.end(), [&](const CarriedText& carried) {
+        std::find_if(data.sections.begin(), data.sections.end(), [&](const OpaqueSection& carried) {
             return carried.format == "su2" && carried.text.starts_with(key);
         });
-    return found == data.carried.end() ? nullptr : &*found;
+    return found == data.sections.end() ? nullptr : &*found;
 }
 
 /// The number after the '=' of a carried line such as "NPOIN= 16009 15715".
@@ -37,7 +37,7 @@ std::size_t carried_count(const std::string& line)
 /// "NPOIN= 16009", or the line of the file with its further numbers when the count is still the same.
 void append_header(const MeshData& data, OutputFile& out, std::string_view key, std::size_t count)
 {
-    const CarriedText* const carried = carried_section(data, key);
+    const OpaqueSection* const carried = carried_section(data, key);
     if (carried && carried_count(carried->text) == count)
         out.append(carried->text);
     else
@@ -90,13 +90,13 @@ void append_marker(const Marker& marker, OutputFile& out)
     }
 }
 
-bool is_header(const CarriedText& carried)
+bool is_header(const OpaqueSection& carried)
 {
     return carried.text.starts_with("NELEM") || carried.text.starts_with("NPOIN");
 }
 
 /// How many markers there are in a carried text: SU2 reads as many as NMARK says.
-std::size_t marker_count(const CarriedText& carried)
+std::size_t marker_count(const OpaqueSection& carried)
 {
     std::size_t count = 0;
     TextScanner in("", carried.text, '%');
@@ -108,7 +108,7 @@ std::size_t marker_count(const CarriedText& carried)
 void append_markers(const MeshData& data, OutputFile& out)
 {
     std::size_t count = data.markers.size();
-    for (const CarriedText& carried : data.carried)
+    for (const OpaqueSection& carried : data.sections)
         count += marker_count(carried);
     append_count(out, "NMARK", count);
     for (const Marker& marker : data.markers)
@@ -119,7 +119,7 @@ void append_markers(const MeshData& data, OutputFile& out)
 void append_carried(const MeshData& data, OutputFile& out)
 {
     for (const bool markers : {true, false})
-        for (const CarriedText& carried : data.carried)
+        for (const OpaqueSection& carried : data.sections)
             if (carried.format == "su2" && !is_header(carried) && (marker_count(carried) > 0) == markers)
                 out.append(carried.text);
 }

@@ -89,7 +89,7 @@ VolumeFile Su2Reader::read()
     data_.groups = groups_.take();
     data_.markers = markers_.take();
     markers_.move_faces_to(data_);
-    data_.carried = carried_.texts();
+    data_.sections = carried_.texts();
     return std::move(file_);
 }
 

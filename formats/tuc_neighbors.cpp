@@ -145,7 +145,7 @@ std::vector<Neighbors> element_neighbors(const Mesh& mesh)
     std::vector<Neighbors> all(mesh.numbering.element.size(), Neighbors{-1, -1, -1, -1});
     for (const FaceHandle f : mesh.kernel.faces()) {
         const auto sides = static_cast<std::size_t>(corner_count(element_corners(mesh, f.idx())));
-        const bool turned = mesh.numbering.turned[static_cast<std::size_t>(f.idx())];
+        const bool turned = mesh.numbering.reversed[static_cast<std::size_t>(f.idx())];
         Neighbors& around = all[static_cast<std::size_t>(file_number(f))];
         HalfedgeHandle side = mesh.kernel.next_halfedge_handle(mesh.kernel.halfedge_handle(f));
         for (std::size_t k = 0; k < sides; ++k) {
@@ -161,7 +161,7 @@ std::vector<Neighbors> element_neighbors(const Mesh& mesh)
 void write_tuc_neighbors(const Mesh& mesh, OutputFile& out)
 {
     const std::vector<Neighbors> all = element_neighbors(mesh);
-    const MeshData data = to_data(mesh);
+    const MeshData data = to_mesh_data(mesh);
     out.append(std::to_string(all.size()) + "\nid n1 n2 n3 n4\n");
     for (std::size_t e = 0; e < all.size(); ++e) {
         const Neighbors around = in_order(all[e], data, e, {.as_written = true});
@@ -180,7 +180,7 @@ void check_tuc_neighbors(const InputBytes& file, const Mesh& mesh)
     NeighborsReader reader(file, mesh.numbering.element.size());
     const std::vector<Row> rows = reader.read();
     const std::vector<Neighbors> all = element_neighbors(mesh);
-    const MeshData data = to_data(mesh);
+    const MeshData data = to_mesh_data(mesh);
     for (const std::size_t sides : {3U, 4U}) {
         const Mismatches wrong = compare_in_best_order(rows, all, data, sides);
         if (wrong.count > 0)

@@ -25,7 +25,7 @@ std::string path_of_names(const std::string& mesh_path)
 std::map<std::string, std::int64_t, std::less<>> conditions(const MeshData& mesh)
 {
     std::map<std::string, std::int64_t, std::less<>> found;
-    for (const CarriedText& carried : mesh.carried) {
+    for (const OpaqueSection& carried : mesh.sections) {
         TextScanner in("", carried.text, '#');
         while (carried.format == "ugrid" && in.skip_white()) {
             const std::int64_t condition = in.integer("a condition");
@@ -72,7 +72,7 @@ UgridNames read_ugrid_names(const std::string& path, std::string_view text)
         conditions += std::to_string(condition) + " " + name + "\n";
     }
     if (set > 0)
-        names.carried.push_back(
+        names.sections.push_back(
             {"ugrid", "the boundary conditions of " + std::to_string(set) + " group(s)", conditions, false});
     return names;
 }

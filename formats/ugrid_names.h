@@ -15,8 +15,8 @@ namespace morph {
 /// What the file says.
 struct UgridNames {
     std::vector<NumberedName> groups;
-    std::string text;                 ///< all of the file, for its comments
-    std::vector<CarriedText> carried; ///< boundary conditions
+    std::string text;                    ///< all of the file, for its comments
+    std::vector<OpaqueSection> sections; ///< boundary conditions
 };
 
 /// Read the file beside the mesh file at @p mesh_path; nothing when there is none.

@@ -124,7 +124,7 @@ private:
         MeshData& mesh = volume_.mesh;
         std::vector<std::int64_t> references = join_faces(faces_, references_, names.text, mesh.elements);
         mesh.groups = groups_from(references, names.groups);
-        mesh.carried = std::move(names.carried);
+        mesh.sections = std::move(names.sections);
     }
 
     MeshData surface()

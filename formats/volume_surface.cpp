@@ -52,7 +52,7 @@ public:
         for (const Field& field : from.fields)
             add_field(to, field);
         to.dimension = dimension_of(to.points);
-        to.carried = from.carried;
+        to.sections = from.sections;
         return to;
     }
 

@@ -67,7 +67,7 @@ ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
 {
     for (BoundaryEntry& boundary : file.boundaries)
         boundary.displacements *= factor;
-    const PlacedCase placed = place_case(mesh, file);
+    const PlacedBoundaries placed = parametrize_boundaries(mesh, file);
     for (const std::string& crossing : boundary_crossings(placed))
         warn(kTool, crossing + ": no valid mesh exists");
     ComparedMove move{factor, {}};

@@ -145,7 +145,7 @@ MeshData read_input(const std::string& path, const Options& options, ReadNotes& 
     if (!options.fields.empty())
         take_fields_from(options.fields, mesh);
     if (options.check)
-        return to_data(build_mesh_of(std::move(mesh), path));
+        return to_mesh_data(build_mesh_of(std::move(mesh), path));
     return mesh;
 }
 

@@ -126,7 +126,7 @@ void stage_weights(Mesh& mesh, const Weights& weights, const std::string& path, 
 {
     std::vector<Field> fields = weight_fields(weights);
     fields.swap(mesh.fields);
-    stage_mesh(to_data(mesh), path, "", outputs);
+    stage_mesh(to_mesh_data(mesh), path, "", outputs);
     fields.swap(mesh.fields);
 }
 
@@ -134,8 +134,8 @@ std::string advice(const DeformResult& result)
 {
     if (!result.crossings.empty())
         return "no position of the others can mend it while the boundary crosses itself";
-    if (result.untangled && !result.untangled->hopeless.empty())
-        return "element " + std::to_string(result.untangled->hopeless[0]) +
+    if (result.untangled && !result.untangled->unrepairable.empty())
+        return "element " + std::to_string(result.untangled->unrepairable[0]) +
                " has all its vertices on the boundary, so that no position of the others can mend it" +
                (result.guard == "remesh" ? "" : "; try guard = \"remesh\"");
     if (result.untangled)
@@ -163,7 +163,7 @@ void untangle_moved(Mesh& mesh, const Points& before, DeformResult& result)
     if (result.tangled == 0)
         return;
     result.untangled = repair(mesh, before);
-    for (std::vector<Index>* list : {&result.untangled->inverted, &result.untangled->hopeless}) {
+    for (std::vector<Index>* list : {&result.untangled->inverted, &result.untangled->unrepairable}) {
         for (Index& element : *list)
             element = mesh.numbering.element[static_cast<std::size_t>(element)];
         std::sort(list->begin(), list->end());
@@ -267,7 +267,7 @@ int deform(int argc, char** argv)
         result.control = control_motion(mesh, file, motion);
         move_and_check(mesh, file, motion, result);
         watch.lap();
-        stage_mesh(to_data(mesh), file.output_mesh, options.to, outputs);
+        stage_mesh(to_mesh_data(mesh), file.output_mesh, options.to, outputs);
     }
     result.seconds.write += watch.lap();
     describe(result, motion, report);

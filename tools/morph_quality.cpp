@@ -65,7 +65,7 @@ void write_element_files(const Options& options, OutputFiles& outputs, const Mes
 {
     if (options.list.empty() && options.csv.empty() && options.vtu.empty())
         return;
-    MeshData data = to_data(mesh);
+    MeshData data = to_mesh_data(mesh);
     std::vector<Field> metrics = element_metrics(mesh, reference);
     if (!options.list.empty())
         write_elements(outputs.open(options.list), data, metrics, true);

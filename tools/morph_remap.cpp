@@ -114,11 +114,11 @@ Mesh load_source(Options& options)
 /// What goes into the output: a format of points alone gets no more, without a word about it.
 MeshData output_data(const Mesh& target, const Options& options)
 {
-    MeshData data = to_data(target);
+    MeshData data = to_mesh_data(target);
     if (!find_format(options.output, options.to).holds.elements) {
         data.elements.clear();
         data.markers.clear();
-        data.carried.clear();
+        data.sections.clear();
     }
     return data;
 }
@@ -167,7 +167,7 @@ void set_field(Mesh& mesh, Field field)
 }
 
 /// 0 for a target in an element, 1 for one outside.
-Field status_field(const Sites& sites)
+Field status_field(const TargetLocations& sites)
 {
     Field status{kStatus, FieldLocation::vertex,
                  Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
@@ -176,7 +176,7 @@ Field status_field(const Sites& sites)
     return status;
 }
 
-Field distance_field(const Sites& sites)
+Field distance_field(const TargetLocations& sites)
 {
     Field distance{kDistance, FieldLocation::vertex,
                    Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
@@ -211,7 +211,7 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
         options.outside.empty() ? (source.dimension == 2 ? "idw" : "project") : options.outside;
     const Locator locator(source);
     Remapper remapper(locator, target, settings);
-    const Sites& sites = remapper.sites(FieldLocation::vertex);
+    const TargetLocations& sites = remapper.sites(FieldLocation::vertex);
     result.vertices = count_sites(sites, remapper.targets(FieldLocation::vertex), target.numbering.vertex);
     const bool to_elements =
         element_count(target) > 0 && std::any_of(fields.begin(), fields.end(), [](const Field* field) {

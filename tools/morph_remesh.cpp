@@ -8,12 +8,12 @@
 #include "tools/case/case_file.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
-#include "tools/remesh/carried_fields.h"
 #include "tools/remesh/cut_out_inverted.h"
 #include "tools/remesh/group_regions.h"
 #include "tools/remesh/keep_option.h"
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
+#include "tools/remesh/transferred_fields.h"
 
 #include <cmath>
 #include <utility>
@@ -102,21 +102,21 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
 
 /// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
 /// few, as long as that helps.
-RemadeMesh remade(const Mesh& old, const Options& options, const RemeshSettings& settings,
-                  Eigen::VectorXd& sizes)
+RemeshResult remade(const Mesh& old, const Options& options, const RemeshSettings& settings,
+                    Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
     constexpr double kNear = 0.02; // of the number wanted
     if (options.hausdorff > 0)
         return remesh_within(old, options.hausdorff, sizes, settings);
     const Index vertices = wanted_vertices(old, options.sizes);
-    RemadeMesh made = remesh(old, sizes, settings);
+    RemeshResult made = remesh(old, sizes, settings);
     for (int i = 0; i < kCorrections && vertices > 0; ++i) {
         const double ratio = static_cast<double>(made.data.points.rows()) / vertices;
         if (std::abs(ratio - 1) <= kNear)
             break;
         const Eigen::VectorXd corrected = std::sqrt(ratio) * sizes;
-        RemadeMesh next = remesh(old, corrected, settings);
+        RemeshResult next = remesh(old, corrected, settings);
         const double next_ratio = static_cast<double>(next.data.points.rows()) / vertices;
         if (std::abs(next_ratio - ratio) <= kNear * ratio)
             break;
@@ -129,9 +129,10 @@ RemadeMesh remade(const Mesh& old, const Options& options, const RemeshSettings&
 /// Wishes at the vertices of the old mesh, carried to those of the new one.
 RemeshWishes carried_wishes(const Locator& locator, const Mesh& mesh, const RemeshWishes& wishes)
 {
-    const std::vector<Field> carried = carried_fields(locator, mesh,
-                                                      {{"sizes", FieldLocation::vertex, wishes.sizes},
-                                                       {"possible", FieldLocation::vertex, wishes.possible}});
+    const std::vector<Field> carried =
+        transferred_fields(locator, mesh,
+                           {{"sizes", FieldLocation::vertex, wishes.sizes},
+                            {"possible", FieldLocation::vertex, wishes.possible}});
     return {carried[0].values, carried[1].values, wishes.vertices};
 }
 
@@ -166,26 +167,26 @@ int remesh_file(int argc, char** argv)
     Mesh old = without_inverted(input, options.input, report);
     const RemeshSettings settings = settings_of(old, options);
     RemeshWishes wishes;
-    wishes.sizes = wanted_sizes(old, options.sizes, settings.features, options.input);
+    wishes.sizes = target_sizes(old, options.sizes, settings.features, options.input);
     wishes.vertices = wanted_vertices(old, options.sizes);
     const GroupRegions regions = group_regions(old);
-    Mesh mesh = remade_between(old, regions, [&](const Mesh& from) {
-        RemadeMesh made = remade(from, options, settings, wishes.sizes);
+    Mesh mesh = remesh_with_region_borders(old, regions, [&](const Mesh& from) {
+        RemeshResult made = remade(from, options, settings, wishes.sizes);
         wishes.possible = std::move(made.sizes);
         return build_mesh(made.data);
     });
     const double remeshed = watch.lap();
-    for (const CarriedText& carried : old.carried)
+    for (const OpaqueSection& carried : old.sections)
         if (carried.names_vertices)
             warn(kTool, options.input + ": " + carried.what +
                             " may name vertices that are no more, and was left out");
         else
-            mesh.carried.push_back(carried);
+            mesh.sections.push_back(carried);
     const Locator locator(old);
     if (!old.groups.empty())
-        mesh.groups = carried_groups(locator, regions, mesh);
+        mesh.groups = transferred_groups(locator, regions, mesh);
     if (!options.no_fields)
-        mesh.fields = carried_fields(locator, mesh, old.fields);
+        mesh.fields = transferred_fields(locator, mesh, old.fields);
     const RemeshWishes wishes_there = carried_wishes(locator, mesh, wishes);
     const double fields = watch.lap();
     describe_remeshing(input, mesh, wishes_there, options.output, report);
@@ -193,7 +194,8 @@ int remesh_file(int argc, char** argv)
     const double check = watch.lap();
 
     OutputFiles outputs;
-    for (const std::string& warning : write_mesh_data(to_data(mesh), options.output, outputs, options.to))
+    for (const std::string& warning :
+         write_mesh_data(to_mesh_data(mesh), options.output, outputs, options.to))
         warn(kTool, warning);
     report.json["seconds"] = {
         {"read", read}, {"remesh", remeshed}, {"fields", fields}, {"check", check}, {"write", watch.lap()}};

@@ -180,7 +180,7 @@ DistanceMinima::DistanceMinima(const Curve& curve) : curve_(curve)
             special_.push_back({u, curve.point(u)});
 }
 
-DistanceMinima::Piece DistanceMinima::make_piece(const BezierPiece& bezier) const
+DistanceMinima::ConvexPart DistanceMinima::make_piece(const BezierPiece& bezier) const
 {
     Polynomial x;
     Polynomial y;
@@ -202,7 +202,7 @@ DistanceMinima::Piece DistanceMinima::make_piece(const BezierPiece& bezier) cons
     const Polynomial constant = combine(product(x, dx), 1, product(y, dy));
     const std::array<Polynomial, 2> slope{product(w, dx), product(w, dy)};
 
-    Piece piece{bezier.begin, bezier.end, constant.size(), {}, {}, 0, 0};
+    ConvexPart piece{bezier.begin, bezier.end, constant.size(), {}, {}, 0, 0};
     std::copy(constant.begin(), constant.end(), piece.constant.begin());
     piece.constant_size = largest(constant);
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -218,7 +218,7 @@ std::vector<double> DistanceMinima::stationary_parameters(const Eigen::Vector2d&
     std::vector<double> found;
     int before = curve_.closed() ? 1 : -1; // sign of the distance's derivative before the breakpoint
     int first = 0;
-    for (const Piece& piece : pieces_) {
+    for (const ConvexPart& piece : pieces_) {
         Coefficients values{};
         for (std::size_t i = 0; i < piece.count; ++i)
             values[i] = piece.constant[i] - q.x() * piece.slope[0][i] - q.y() * piece.slope[1][i];

@@ -40,7 +40,7 @@ private:
     using Coefficients = std::array<double, kMaxCoefficients>;
 
     /// Coefficient i of (C - q) . C' on one piece is constant[i] - q . slope[i].
-    struct Piece {
+    struct ConvexPart {
         double begin = 0;
         double end = 0;
         std::size_t count = 0;
@@ -54,14 +54,14 @@ private:
         Eigen::Vector2d point;
     };
 
-    Piece make_piece(const BezierPiece& bezier) const;
+    ConvexPart make_piece(const BezierPiece& bezier) const;
     std::vector<DistanceMinimum> at_special_points(const Eigen::Vector2d& point) const;
     std::vector<double> stationary_parameters(const Eigen::Vector2d& q) const;
 
     Curve curve_;
     Eigen::Vector2d origin_; ///< centre of the box: coordinates far from zero lose no digits
     double size_ = 0;
-    std::vector<Piece> pieces_;
+    std::vector<ConvexPart> pieces_;
     std::vector<SpecialPoint> special_; ///< corners, and ends of an open curve
 };
 

@@ -10,7 +10,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kRowsPerBlock = 16384;
 
 /// One step of the Hilbert curve in N dimensions, from a cell to the 2^N cells within it, as a table:
 /// by how the curve lies in the cell and which of the cells within is meant, the place of that one
@@ -124,7 +124,7 @@ std::vector<Index> order_along_curve(const Eigen::Ref<const Points>& points, uns
     static constexpr HilbertTable<N> table;
     const Grid grid(points, N, bits);
     std::vector<Keyed<std::uint64_t>> keyed(static_cast<std::size_t>(points.rows()));
-    parallel_for(keyed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(keyed.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto row = static_cast<Index>(i);
             std::array<std::uint32_t, N> cell{};

@@ -94,7 +94,7 @@ public:
 private:
     static constexpr double kLargest = 1e300;
 
-    void points(const std::string& what, const CarriedPoints& points) const
+    void points(const std::string& what, const ControlledPoints& points) const
     {
         if (points.weights.cols() != control_points_ || points.weights.rows() != points.positions.rows())
             throw InputError("the points of " + what + " have weights of " +

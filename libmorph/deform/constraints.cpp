@@ -18,11 +18,11 @@ constexpr double kLinearTolerance = 1e-11; ///< of the size of displacements and
 constexpr double kNoPull = 1e-12;          ///< multiplier of a constraint that changes nothing
 
 /// Length against which differences of displacements are small.
-double size_of(const ConstraintSet& constraints, const std::vector<CarriedPoints>& shapes,
+double size_of(const ConstraintSet& constraints, const std::vector<ControlledPoints>& shapes,
                const Matrix& wanted)
 {
     double size = wanted.size() == 0 ? 0 : wanted.cwiseAbs().maxCoeff();
-    for (const CarriedPoints& shape : shapes)
+    for (const ControlledPoints& shape : shapes)
         size = std::max(size, size_of(shape));
     for (const FixedPoints& fixed : constraints.fixed)
         if (fixed.displacements.size() > 0)
@@ -30,11 +30,12 @@ double size_of(const ConstraintSet& constraints, const std::vector<CarriedPoints
     return size > 0 ? size : 1;
 }
 
-std::vector<CarriedPoints> restricted(const FreeControlPoints& free, const std::vector<CarriedPoints>& shapes)
+std::vector<ControlledPoints> restricted(const FreeControlPoints& free,
+                                         const std::vector<ControlledPoints>& shapes)
 {
-    std::vector<CarriedPoints> result;
+    std::vector<ControlledPoints> result;
     result.reserve(shapes.size());
-    for (const CarriedPoints& shape : shapes)
+    for (const ControlledPoints& shape : shapes)
         result.push_back(free.restricted(shape));
     return result;
 }
@@ -189,7 +190,7 @@ private:
     const ConstraintSet& constraints_;
     const Matrix& wanted_;
     FreeControlPoints free_;
-    std::vector<CarriedPoints> shapes_;
+    std::vector<ControlledPoints> shapes_;
     std::vector<Requirement> requirements_;
     std::vector<std::size_t> order_;
     double size_;

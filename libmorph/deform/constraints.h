@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/controlled_points.h"
 
 #include <array>
 #include <string>
@@ -20,7 +20,7 @@ struct Bound {
 /// A closed boundary that constraints speak of.
 struct ConstrainedBoundary {
     std::string name;
-    CarriedPoints nodes; ///< in order along it, the last joined to the first
+    ControlledPoints nodes; ///< in order along it, the last joined to the first
 };
 
 /// The area inside a boundary stays what it is without displacements [Leloudas, Strofylas & Nikolos 2018,
@@ -33,8 +33,8 @@ struct AreaKept {
 /// Points that must go where they are told: nowhere, when no displacements are given.
 struct FixedPoints {
     std::string name;
-    CarriedPoints points; ///< m
-    Matrix displacements; ///< m x c, or empty
+    ControlledPoints points; ///< m
+    Matrix displacements;    ///< m x c, or empty
 };
 
 /// The extent of a boundary along a line that stays in place: an airfoil's thickness at x = 0.3 c.
@@ -49,7 +49,7 @@ struct Thickness {
 /// The distance of two points that the shape carries along: a spar's height.
 struct Distance {
     std::string name;
-    CarriedPoints ends; ///< 2
+    ControlledPoints ends; ///< 2
     Bound bound;
 };
 

@@ -37,18 +37,19 @@ FreeControlPoints::FreeControlPoints(const ConstraintSet& constraints, const Mat
         }
 }
 
-void FreeControlPoints::concern(const CarriedPoints& points)
+void FreeControlPoints::concern(const ControlledPoints& points)
 {
     for (Index i = 0; i < points.weights.rows(); ++i)
         for (SparseRow weight(points.weights, i); weight; ++weight)
             place_[static_cast<std::size_t>(weight.col())] = 0;
 }
 
-CarriedPoints FreeControlPoints::restricted(const CarriedPoints& points) const
+ControlledPoints FreeControlPoints::restricted(const ControlledPoints& points) const
 {
     Matrix others = wanted_;
     others(numbers_, Eigen::all).setZero();
-    CarriedPoints result{moved(points, others), {points.weights.rows(), static_cast<Index>(numbers_.size())}};
+    ControlledPoints result{moved(points, others),
+                            {points.weights.rows(), static_cast<Index>(numbers_.size())}};
     std::vector<Eigen::Triplet<double, Index>> entries;
     for (Index i = 0; i < points.weights.rows(); ++i)
         for (SparseRow weight(points.weights, i); weight; ++weight)

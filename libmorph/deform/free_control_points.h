@@ -21,14 +21,14 @@ public:
     Matrix wanted() const { return wanted_(numbers_, Eigen::all); }
 
     /// Points as they follow the free ones alone.
-    CarriedPoints restricted(const CarriedPoints& points) const;
+    ControlledPoints restricted(const ControlledPoints& points) const;
 
     /// Equations of fixed points, ties and symmetries, in the order of the set.
     /// @param source  of the first of these constraints; those of the others follow
     std::vector<LinearEquation> equations(std::size_t source) const;
 
 private:
-    void concern(const CarriedPoints& points);
+    void concern(const ControlledPoints& points);
     void add_term(Index control_point, Index component, double coefficient, LinearEquation& equation) const;
     std::vector<LinearEquation> of_fixed(const FixedPoints& fixed) const;
     std::vector<LinearEquation> of_tie(const Tie& tie) const;

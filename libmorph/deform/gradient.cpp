@@ -14,7 +14,7 @@ constexpr std::size_t kRowsPerBlock = 16384;
 constexpr std::size_t kBlocks = 256; ///< at most, since each has a sum of its own
 
 template <int components>
-Matrix sum_over_rows(const WeightRows& weights, const Matrix& gradient, std::size_t begin, std::size_t end)
+Matrix sum_over_rows(const WeightsView& weights, const Matrix& gradient, std::size_t begin, std::size_t end)
 {
     using Row = Eigen::Matrix<double, 1, components>;
     Matrix sum = Matrix::Zero(weights.cols(), components);
@@ -28,7 +28,7 @@ Matrix sum_over_rows(const WeightRows& weights, const Matrix& gradient, std::siz
     return sum;
 }
 
-void require_fit(const WeightRows& weights, const Matrix& gradient)
+void require_fit(const WeightsView& weights, const Matrix& gradient)
 {
     if (gradient.rows() != weights.rows() || (gradient.cols() != 2 && gradient.cols() != 3))
         throw InputError("the gradient is " + std::to_string(gradient.rows()) + " x " +
@@ -38,7 +38,7 @@ void require_fit(const WeightRows& weights, const Matrix& gradient)
 
 } // namespace
 
-Matrix control_point_gradient(WeightRows weights, const Matrix& gradient)
+Matrix control_point_gradient(WeightsView weights, const Matrix& gradient)
 {
     require_fit(weights, gradient);
     const auto sum_of = gradient.cols() == 2 ? sum_over_rows<2> : sum_over_rows<3>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/weights/weight_rows.h"
+#include "libmorph/weights/weights_view.h"
 
 namespace morph {
 
@@ -13,6 +13,6 @@ namespace morph {
 /// @param gradient  n x 2 (x and y) or n x 3, dJ/dX in the unit of J per length unit of the mesh
 /// @return K x 2 or K x 3, the same unit, rows as the columns of the weights
 /// @throws InputError  the sizes do not fit
-Matrix control_point_gradient(WeightRows weights, const Matrix& gradient);
+Matrix control_point_gradient(WeightsView weights, const Matrix& gradient);
 
 } // namespace morph

@@ -16,7 +16,7 @@ constexpr double kNothing =
     1e-12; ///< part of a gradient that rounding leaves where linear constraints take all
 
 /// Where nothing is displaced, no control point is needed.
-CarriedPoints at_rest(const CarriedPoints& shape)
+ControlledPoints at_rest(const ControlledPoints& shape)
 {
     return {shape.positions, {shape.weights.rows(), 0}};
 }
@@ -31,12 +31,12 @@ void require_measurable(const Requirement& requirement)
 }
 
 /// Read the bounds, now that the undisplaced measures are known.
-void find_targets(const std::vector<CarriedPoints>& shapes, Eigen::Index components,
+void find_targets(const std::vector<ControlledPoints>& shapes, Eigen::Index components,
                   std::vector<Requirement>& requirements)
 {
-    std::vector<CarriedPoints> resting;
+    std::vector<ControlledPoints> resting;
     resting.reserve(shapes.size());
-    for (const CarriedPoints& shape : shapes)
+    for (const ControlledPoints& shape : shapes)
         resting.push_back(at_rest(shape));
     const Eigen::VectorXd undisplaced =
         measures_of(requirements, std::move(resting), components).at(Matrix(0, components)).values;
@@ -56,9 +56,9 @@ void find_targets(const std::vector<CarriedPoints>& shapes, Eigen::Index compone
 
 } // namespace
 
-std::vector<CarriedPoints> shapes_of(const ConstraintSet& constraints)
+std::vector<ControlledPoints> shapes_of(const ConstraintSet& constraints)
 {
-    std::vector<CarriedPoints> shapes;
+    std::vector<ControlledPoints> shapes;
     shapes.reserve(constraints.boundaries.size() + constraints.distances.size());
     for (const ConstrainedBoundary& boundary : constraints.boundaries)
         shapes.push_back(boundary.nodes);
@@ -68,7 +68,7 @@ std::vector<CarriedPoints> shapes_of(const ConstraintSet& constraints)
 }
 
 std::vector<Requirement> requirements_of(const ConstraintSet& constraints,
-                                         const std::vector<CarriedPoints>& shapes, Eigen::Index components)
+                                         const std::vector<ControlledPoints>& shapes, Eigen::Index components)
 {
     std::vector<Requirement> all;
     const auto require = [&all](const std::string& name, const ShapeMeasure& measure, Bound bound) {
@@ -89,14 +89,14 @@ std::vector<Requirement> requirements_of(const ConstraintSet& constraints,
     return all;
 }
 
-double size_of(const CarriedPoints& shape)
+double size_of(const ControlledPoints& shape)
 {
     if (shape.positions.rows() == 0)
         return 0;
     return (shape.positions.colwise().maxCoeff() - shape.positions.colwise().minCoeff()).norm();
 }
 
-ShapeMeasures measures_of(const std::vector<Requirement>& requirements, std::vector<CarriedPoints> shapes,
+ShapeMeasures measures_of(const std::vector<Requirement>& requirements, std::vector<ControlledPoints> shapes,
                           Eigen::Index components)
 {
     std::vector<ShapeMeasure> measures;

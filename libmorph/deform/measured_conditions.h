@@ -24,15 +24,16 @@ struct Requirement {
 /// @param shapes       shapes_of(constraints)
 /// @throws InputError  a line does not cross its boundary, or a boundary encloses no area; names it
 std::vector<Requirement> requirements_of(const ConstraintSet& constraints,
-                                         const std::vector<CarriedPoints>& shapes, Eigen::Index components);
+                                         const std::vector<ControlledPoints>& shapes,
+                                         Eigen::Index components);
 
 /// Shapes that are measured: the boundaries, then the ends of the distances.
-std::vector<CarriedPoints> shapes_of(const ConstraintSet& constraints);
+std::vector<ControlledPoints> shapes_of(const ConstraintSet& constraints);
 
 /// Diagonal of the box around the points of a shape before any displacement.
-double size_of(const CarriedPoints& shape);
+double size_of(const ControlledPoints& shape);
 
-ShapeMeasures measures_of(const std::vector<Requirement>& requirements, std::vector<CarriedPoints> shapes,
+ShapeMeasures measures_of(const std::vector<Requirement>& requirements, std::vector<ControlledPoints> shapes,
                           Eigen::Index components);
 
 /// Requirements as conditions on coordinates y in the space that linear constraints leave.

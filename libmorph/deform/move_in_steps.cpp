@@ -17,7 +17,7 @@ constexpr double kCaution = 0.5; // part of the safe step that is taken: beyond 
 /// The way of the held vertices.
 class BoundaryPath {
 public:
-    BoundaryPath(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+    BoundaryPath(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
         : held_(held), displacement_(displacement), frames_(boundary_frames(mesh, held, displacement)),
           start_(held.vertices.size(), 2)
     {
@@ -37,7 +37,7 @@ public:
         return there;
     }
 
-    const HeldBoundary& held() const { return held_; }
+    const DirichletBoundary& held() const { return held_; }
 
 private:
     Eigen::RowVector2d on_body(std::size_t i, double f) const
@@ -49,14 +49,15 @@ private:
         return pivot + f * frames_.translation.row(row) + (turn * arm).transpose();
     }
 
-    const HeldBoundary& held_;
+    const DirichletBoundary& held_;
     const Matrix& displacement_;
     BoundaryFrames frames_;
     Points2 start_;
 };
 
 /// Where all vertices go when the held ones go to @p there.
-Points moved_to(const Mesh& mesh, const HeldBoundary& held, const Points2& there, const BoundaryMove& move)
+Points moved_to(const Mesh& mesh, const DirichletBoundary& held, const Points2& there,
+                const BoundaryMove& move)
 {
     Matrix displacement(there.rows(), 2);
     for (std::size_t i = 0; i < held.vertices.size(); ++i)
@@ -93,8 +94,8 @@ int move_as_safe(Mesh& mesh, const BoundaryPath& path, const BoundaryMove& move)
 
 } // namespace
 
-int move_in_steps(Mesh& mesh, const HeldBoundary& held, const Matrix& displacement, const BoundaryMove& move,
-                  int steps)
+int move_in_steps(Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
+                  const BoundaryMove& move, int steps)
 {
     if (steps < 0)
         throw InputError("a move takes at least 1 step, not " + std::to_string(steps));

@@ -23,7 +23,7 @@ inline constexpr int kMostAutoSteps = 50;
 /// @param steps         1 or more, or kAutoSteps
 /// @return the number of steps taken
 /// @throws InputError, SolverError  as @p move, boundary_frames() and safe_step(); @p steps is negative
-int move_in_steps(Mesh& mesh, const HeldBoundary& held, const Matrix& displacement, const BoundaryMove& move,
-                  int steps);
+int move_in_steps(Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
+                  const BoundaryMove& move, int steps);
 
 } // namespace morph

@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // points
+constexpr std::size_t kRowsPerBlock = 4096; // points
 
 /// What a point moves by, from the sums at its parameters.
 enum class Move {
@@ -130,7 +130,7 @@ void run(const Lattice& lattice, const TensorNet& net, const Embedding& embeddin
          Eigen::Map<Points>& positions)
 {
     const Mover<move, dimension, degree> mover(lattice, net, embedding, positions);
-    parallel_for(embedding.inside.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(embedding.inside.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
 #if defined(__x86_64__)
         if (__builtin_cpu_supports("avx2") != 0)
             return mover.move_run_wide(begin, end);

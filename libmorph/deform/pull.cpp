@@ -17,7 +17,7 @@ std::string size_of(const Matrix& matrix)
     return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
 }
 
-void require_valid(const CarriedPoints& points, const Matrix& wanted, const Matrix& given)
+void require_valid(const ControlledPoints& points, const Matrix& wanted, const Matrix& given)
 {
     if (given.rows() != points.weights.cols() || (given.cols() != 2 && given.cols() != 3))
         throw InputError("the displacements are " + size_of(given) + ", but the weights are for " +
@@ -31,7 +31,7 @@ void require_valid(const CarriedPoints& points, const Matrix& wanted, const Matr
 }
 
 /// The control points that may move and that move any of the points.
-std::vector<Index> movers(const CarriedPoints& points, const std::vector<Index>& held)
+std::vector<Index> movers(const ControlledPoints& points, const std::vector<Index>& held)
 {
     const auto count = static_cast<Index>(points.weights.cols());
     std::vector<bool> moves(static_cast<std::size_t>(count), false);
@@ -52,7 +52,7 @@ std::vector<Index> movers(const CarriedPoints& points, const std::vector<Index>&
 
 } // namespace
 
-Pulled pull_points(const CarriedPoints& points, const Matrix& wanted, const Matrix& given,
+Pulled pull_points(const ControlledPoints& points, const Matrix& wanted, const Matrix& given,
                    const std::vector<Index>& held)
 {
     require_valid(points, wanted, given);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/controlled_points.h"
 
 #include <vector>
 
@@ -26,7 +26,7 @@ struct Pulled {
 /// @param given   K x as many, where the change starts
 /// @param held    control points that keep their given displacement
 /// @throws InputError  the sizes do not fit, a number is not finite, or a held control point does not exist
-Pulled pull_points(const CarriedPoints& points, const Matrix& wanted, const Matrix& given,
+Pulled pull_points(const ControlledPoints& points, const Matrix& wanted, const Matrix& given,
                    const std::vector<Index>& held = {});
 
 } // namespace morph

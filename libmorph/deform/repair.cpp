@@ -11,14 +11,14 @@ namespace morph {
 namespace {
 
 /// All that is held: the boundary and the markers.
-HeldBoundary held_boundary(const Mesh& mesh)
+DirichletBoundary dirichlet_boundary(const Mesh& mesh)
 {
-    const std::vector<Index> first = first_copies(mesh.numbering);
+    const std::vector<Index> first = representatives(mesh.numbering);
     std::vector<bool> held(first.size(), false);
     for (const auto vertex : mesh.kernel.vertices())
         if (mesh.kernel.is_boundary(vertex))
             held[static_cast<std::size_t>(first[static_cast<std::size_t>(vertex.idx())])] = true;
-    HeldBoundary boundary;
+    DirichletBoundary boundary;
     for (const Marker& marker : mesh.markers) {
         boundary.walls.insert(boundary.walls.end(), marker.edges.begin(), marker.edges.end());
         for (const Index v : marker_vertices(marker))
@@ -33,14 +33,14 @@ HeldBoundary held_boundary(const Mesh& mesh)
 /// A mesh before and after its move.
 struct Move {
     Mesh start; ///< the mesh before
-    HeldBoundary held;
+    DirichletBoundary held;
     Matrix displacement; ///< of the held vertices
     Points moved;        ///< all vertices as they were moved
 };
 
 Move move_of(const Mesh& mesh, const PositionsView& before)
 {
-    Move move{mesh, held_boundary(mesh), {}, points(mesh)};
+    Move move{mesh, dirichlet_boundary(mesh), {}, points(mesh)};
     points(move.start) = before;
     move.displacement.resize(static_cast<Index>(move.held.vertices.size()), 2);
     for (std::size_t i = 0; i < move.held.vertices.size(); ++i)
@@ -60,7 +60,8 @@ Points as_it_was_moved(const Move& move, UntangleResult& /*work*/)
 Points by_biharmonic_functions(const Move& move, UntangleResult& /*work*/)
 {
     Points positions = points(move.start);
-    positions.leftCols<2>() += conformal_biharmonic_spread(move.start, move.held)->spread(move.displacement);
+    positions.leftCols<2>() +=
+        conformal_biharmonic_extension(move.start, move.held)->extend(move.displacement);
     return positions;
 }
 
@@ -100,14 +101,14 @@ UntangleResult repair(Mesh& mesh, const PositionsView& before)
         if (!positions)
             continue;
         UntangleResult end = untangle(mesh, before, move.held.vertices, *positions, options);
-        options.fresh_start = false; // would be the same once more
+        options.reinitialize = false; // would be the same once more
         work.patch_vertices += end.patch_vertices;
         work.iterations += end.iterations;
         if (!best || end.inverted.size() < best->inverted.size()) {
             points(mesh) = *positions;
             best = std::move(end);
         }
-        if (best->valid || !best->hopeless.empty())
+        if (best->valid || !best->unrepairable.empty())
             break;
     }
     best->patch_vertices = work.patch_vertices;

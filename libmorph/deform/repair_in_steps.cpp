@@ -23,10 +23,10 @@ std::size_t at(Index i)
 /// The way of the held vertices.
 class BoundaryPath {
 public:
-    BoundaryPath(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+    BoundaryPath(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
         : from_(displacement.rows(), 2), to_(displacement.rows(), 2), row_(held.vertices.size())
     {
-        const std::vector<Index> first = first_copies(mesh.numbering);
+        const std::vector<Index> first = representatives(mesh.numbering);
         std::vector<Index> row_of(first.size(), -1);
         for (std::size_t i = held.vertices.size(); i-- > 0;) {
             const Index v = held.vertices[i];
@@ -96,14 +96,14 @@ private:
 };
 
 /// Where all vertices go when the held ones go to @p there.
-Points carried(const Mesh& mesh, const HeldBoundary& held, const Points2& there)
+Points carried(const Mesh& mesh, const DirichletBoundary& held, const Points2& there)
 {
     Points2 increment(there.rows(), 2);
     for (std::size_t i = 0; i < held.vertices.size(); ++i)
         increment.row(static_cast<Index>(i)) =
             there.row(static_cast<Index>(i)) - points(mesh).row(held.vertices[i]).head<2>();
     Points after = points(mesh);
-    after.leftCols<2>() += harmonic_spread(mesh, held, Diffusivity::inverse_area)->spread(increment);
+    after.leftCols<2>() += harmonic_extension(mesh, held, Diffusivity::inverse_area)->extend(increment);
     for (std::size_t i = 0; i < held.vertices.size(); ++i) // without the rounding of difference and sum
         after.row(held.vertices[i]).head<2>() = there.row(static_cast<Index>(i));
     return after;
@@ -111,13 +111,13 @@ Points carried(const Mesh& mesh, const HeldBoundary& held, const Points2& there)
 
 } // namespace
 
-Points repair_in_steps(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+Points repair_in_steps(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
                        UntangleResult& work)
 {
     const BoundaryPath path(mesh, held, displacement);
     UntangleOptions options;
     options.iterations = kIterations;
-    options.fresh_start = false;
+    options.reinitialize = false;
     Mesh moving = mesh;
     double done = 0, step = kFirstStep;
     while (done < 1 && step >= kLeastStep) {

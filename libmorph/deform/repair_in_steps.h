@@ -2,7 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 #include "libmorph/untangle/untangle.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 namespace morph {
 
@@ -17,8 +17,8 @@ namespace morph {
 /// @param work          patch_vertices and iterations are added to
 /// @return n x 3: the mesh after the move, the held vertices at their place + displacement; where some
 ///         increment failed, with inverted elements that the rest of the way in one has left
-/// @throws InputError, SolverError  as harmonic_spread() and untangle()
-Points repair_in_steps(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+/// @throws InputError, SolverError  as harmonic_extension() and untangle()
+Points repair_in_steps(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
                        UntangleResult& work);
 
 } // namespace morph

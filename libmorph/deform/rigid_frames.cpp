@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/weights/held_edges.h"
+#include "libmorph/weights/boundary_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t kGrain = 8192; // vertices a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 8192; // vertices a thread takes at a time
 
 // Where less than this part of the bodies arrives, pivots are no longer blended in full: the quotient of two
 // small numbers would blow up what a method leaves there. The angle is small there as well.
@@ -26,7 +26,7 @@ constexpr double kLeastShare = 0.1;
 class FrameFit {
 public:
     FrameFit(const Eigen::Ref<const Points>& x, const std::vector<Index>& vertices,
-             const Matrix& displacement, const std::vector<HeldEdge>& edges, double reach)
+             const Matrix& displacement, const std::vector<BoundarySegment>& edges, double reach)
         : reach_(reach), neighbours_(vertices.size()), turn_(vertices.size()), lengths_(vertices.size()),
           seen_from_(vertices.size(), -1)
     {
@@ -172,7 +172,7 @@ Matrix frame_values(const BoundaryFrames& frames, const Eigen::RowVector2d& cent
 Matrix rebuilt(const Eigen::Ref<const Points>& x, const Matrix& arrived, const Eigen::RowVector2d& centre)
 {
     Matrix moved(x.rows(), 2);
-    parallel_for(static_cast<std::size_t>(x.rows()), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(static_cast<std::size_t>(x.rows()), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
             const auto a = arrived.row(v);
             const Eigen::RowVector2d arm =
@@ -201,7 +201,7 @@ BoundaryFrames expanded(const BoundaryFrames& joined, const std::vector<Index>& 
 
 } // namespace
 
-BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
                                double reach)
 {
     if (!(reach >= 0 && reach <= 1))
@@ -210,21 +210,21 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const
     if (displacement.cols() != 2)
         throw InputError("the displacement of the boundary has " + std::to_string(displacement.cols()) +
                          " columns, expected x and y");
-    const HeldVertices vertices(mesh, held);
+    const UniqueDirichletVertices vertices(mesh, held);
     const std::vector<Index> row_of = vertices.rows();
     FrameFit fit(points(mesh), vertices.vertices(), vertices.join(displacement),
-                 held_edges(mesh, held, vertices).moving, reach);
+                 boundary_segments(mesh, held, vertices).moving, reach);
     return expanded(fit.fit(), held.vertices, row_of);
 }
 
-Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
-                             const Matrix& displacement, double reach)
+Matrix extend_with_rotations(const BoundaryExtension& extension, const Mesh& mesh,
+                             const DirichletBoundary& held, const Matrix& displacement, double reach)
 {
     const BoundaryFrames frames = boundary_frames(mesh, held, displacement, reach);
     const bool moves = frames.pivot.rows() > 0;
     const Eigen::RowVector2d centre = moves ? frames.pivot.colwise().mean() : Eigen::RowVector2d(0, 0);
-    Matrix moved = rebuilt(points(mesh), spread.spread(frame_values(frames, centre)), centre);
-    const HeldVertices vertices(mesh, held);
+    Matrix moved = rebuilt(points(mesh), extension.extend(frame_values(frames, centre)), centre);
+    const UniqueDirichletVertices vertices(mesh, held);
     vertices.finish(vertices.join(displacement), moved);
     return moved;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <vector>
 
@@ -41,7 +41,7 @@ inline constexpr double kFrameReach = 0.05;
 /// @throws InputError  another number of rows or columns, not finite, or different for two copies of a split
 ///                     vertex; a bad reach; a moving edge ends at a vertex that is not held; the mesh is a
 ///                     surface in space
-BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement,
+BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
                                double reach = kFrameReach);
 
 /// Carry a boundary's displacement into the mesh together with its rotation.
@@ -61,8 +61,9 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const HeldBoundary& held, const
 ///
 /// @param spread  made of @p mesh and @p held
 /// @return n x 2, equal to @p displacement at the held vertices; the same bytes for any number of threads
-/// @throws InputError, SolverError  as boundary_frames() and Spread::spread()
-Matrix spread_with_rotations(const Spread& spread, const Mesh& mesh, const HeldBoundary& held,
-                             const Matrix& displacement, double reach = kFrameReach);
+/// @throws InputError, SolverError  as boundary_frames() and BoundaryExtension::extend()
+Matrix extend_with_rotations(const BoundaryExtension& extension, const Mesh& mesh,
+                             const DirichletBoundary& held, const Matrix& displacement,
+                             double reach = kFrameReach);
 
 } // namespace morph

@@ -16,7 +16,7 @@ namespace {
 /// A held boundary that grows by the vertices of layers.
 class LayeredBoundary {
 public:
-    LayeredBoundary(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+    LayeredBoundary(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
         : mesh_(mesh), frames_(boundary_frames(mesh, held, displacement)), displacement_(displacement),
           row_(static_cast<std::size_t>(mesh.numbering.file_vertices), -1), held_(held)
     {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    const HeldBoundary& held() const { return held_; }
+    const DirichletBoundary& held() const { return held_; }
 
     Matrix displacement() const
     {
@@ -98,7 +98,7 @@ private:
     BoundaryFrames frames_;
     const Matrix& displacement_;
     std::vector<Index> row_; ///< by file number: among the held vertices, or -1
-    HeldBoundary held_;
+    DirichletBoundary held_;
     std::vector<Eigen::RowVector2d> added_;
 };
 
@@ -106,8 +106,8 @@ private:
 
 BoundaryMove with_rigid_layers(BoundaryMove move, std::vector<RigidLayer> layers)
 {
-    return [move = std::move(move), layers = std::move(layers)](const Mesh& mesh, const HeldBoundary& held,
-                                                                const Matrix& displacement) {
+    return [move = std::move(move), layers = std::move(layers)](
+               const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement) {
         LayeredBoundary layered(mesh, held, displacement);
         for (const RigidLayer& layer : layers)
             layered.add(layer);

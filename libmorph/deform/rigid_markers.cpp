@@ -9,7 +9,7 @@ namespace morph {
 namespace {
 
 /// Rows of the held vertices of a marker.
-std::vector<Index> held_rows(const Mesh& mesh, const HeldBoundary& held, const std::string& name)
+std::vector<Index> held_rows(const Mesh& mesh, const DirichletBoundary& held, const std::string& name)
 {
     std::vector<Index> row(static_cast<std::size_t>(mesh.numbering.file_vertices), -1);
     const auto number = [&](Index v) {
@@ -28,7 +28,7 @@ std::vector<Index> held_rows(const Mesh& mesh, const HeldBoundary& held, const s
 }
 
 /// Replace the displacement of these rows by the rigid one that fits it best.
-void make_rigid(const Mesh& mesh, const HeldBoundary& held, const std::vector<Index>& rows,
+void make_rigid(const Mesh& mesh, const DirichletBoundary& held, const std::vector<Index>& rows,
                 Matrix& displacement)
 {
     const auto place = [&](Index row) -> Eigen::RowVector2d {
@@ -59,7 +59,7 @@ void make_rigid(const Mesh& mesh, const HeldBoundary& held, const std::vector<In
 
 } // namespace
 
-Matrix with_rigid_markers(const Mesh& mesh, const HeldBoundary& held, Matrix displacement,
+Matrix with_rigid_markers(const Mesh& mesh, const DirichletBoundary& held, Matrix displacement,
                           const std::vector<std::string>& markers)
 {
     for (const std::string& name : markers)

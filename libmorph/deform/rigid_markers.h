@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace morph {
 ///
 /// @param displacement  k x 2, row i moves held.vertices[i]; length unit of the mesh
 /// @throws InputError  no such marker, or one that is neither moved nor fixed
-Matrix with_rigid_markers(const Mesh& mesh, const HeldBoundary& held, Matrix displacement,
+Matrix with_rigid_markers(const Mesh& mesh, const DirichletBoundary& held, Matrix displacement,
                           const std::vector<std::string>& markers);
 
 } // namespace morph

@@ -28,7 +28,7 @@ double signed_area(const Points& polygon)
 }
 
 /// dA/dx_i = (y_next - y_previous) / 2 and dA/dy_i likewise, carried to the control points.
-Eigen::VectorXd area_gradient(const CarriedPoints& shape, const Points& polygon)
+Eigen::VectorXd area_gradient(const ControlledPoints& shape, const Points& polygon)
 {
     const auto count = static_cast<Index>(polygon.rows());
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * shape.weights.cols());
@@ -44,7 +44,7 @@ Eigen::VectorXd area_gradient(const CarriedPoints& shape, const Points& polygon)
 
 /// The area is quadratic in the displacements: its second derivative by x_k and y_l is constant, the one by
 /// two x or two y is 0.
-Eigen::MatrixXd area_mixed(const CarriedPoints& shape)
+Eigen::MatrixXd area_mixed(const ControlledPoints& shape)
 {
     const Eigen::Index K = shape.weights.cols();
     const auto count = static_cast<Index>(shape.weights.rows());
@@ -58,7 +58,7 @@ Eigen::MatrixXd area_mixed(const CarriedPoints& shape)
     return mixed;
 }
 
-Eigen::VectorXd carried_gradient(const CarriedPoints& shape, const LocalMeasure& local,
+Eigen::VectorXd carried_gradient(const ControlledPoints& shape, const LocalMeasure& local,
                                  Eigen::Index components)
 {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(shape.weights.cols() * components);
@@ -70,8 +70,8 @@ Eigen::VectorXd carried_gradient(const CarriedPoints& shape, const LocalMeasure&
     return gradient;
 }
 
-void add_carried_hessian(const CarriedPoints& shape, const LocalMeasure& local, Eigen::Index c, double factor,
-                         Eigen::MatrixXd& hessian)
+void add_carried_hessian(const ControlledPoints& shape, const LocalMeasure& local, Eigen::Index c,
+                         double factor, Eigen::MatrixXd& hessian)
 {
     const auto count = static_cast<Eigen::Index>(local.points.size());
     for (Eigen::Index p = 0; p < count; ++p)
@@ -94,7 +94,7 @@ void add_area_hessian(const Eigen::MatrixXd& mixed, double factor, Eigen::Matrix
 
 } // namespace
 
-ShapeMeasures::ShapeMeasures(std::vector<CarriedPoints> shapes, std::vector<ShapeMeasure> measures,
+ShapeMeasures::ShapeMeasures(std::vector<ControlledPoints> shapes, std::vector<ShapeMeasure> measures,
                              Eigen::Index components)
     : shapes_(std::move(shapes)), measures_(std::move(measures)), mixed_(measures_.size()),
       components_(components)
@@ -110,7 +110,7 @@ std::vector<Points> ShapeMeasures::moved_shapes(const Matrix& D) const
 {
     std::vector<Points> result;
     result.reserve(shapes_.size());
-    for (const CarriedPoints& shape : shapes_)
+    for (const ControlledPoints& shape : shapes_)
         result.push_back(moved(shape, D));
     return result;
 }
@@ -129,7 +129,7 @@ ShapeMeasures::Values ShapeMeasures::at(const Matrix& D) const
     Values result{Eigen::VectorXd(count), Eigen::MatrixXd(count, D.size())};
     for (Eigen::Index j = 0; j < count; ++j) {
         const ShapeMeasure& measure = measures_[static_cast<std::size_t>(j)];
-        const CarriedPoints& shape = shapes_[measure.shape];
+        const ControlledPoints& shape = shapes_[measure.shape];
         if (measure.kind == Kind::area) {
             result.values[j] = measure.turn * signed_area(moved[measure.shape]);
             result.jacobian.row(j) = measure.turn * area_gradient(shape, moved[measure.shape]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/controlled_points.h"
 #include "libmorph/deform/local_measure.h"
 
 #include <vector>
@@ -34,7 +34,7 @@ public:
 
     /// @param shapes      all of the same K; polygons in order, the last node joined to the first
     /// @param components  c, 2 or 3; areas and extents need 2
-    ShapeMeasures(std::vector<CarriedPoints> shapes, std::vector<ShapeMeasure> measures,
+    ShapeMeasures(std::vector<ControlledPoints> shapes, std::vector<ShapeMeasure> measures,
                   Eigen::Index components);
 
     /// @param D  K x c
@@ -48,7 +48,7 @@ private:
     std::vector<Points> moved_shapes(const Matrix& D) const;
     LocalMeasure local_measure(const ShapeMeasure& measure, const std::vector<Points>& moved) const;
 
-    std::vector<CarriedPoints> shapes_;
+    std::vector<ControlledPoints> shapes_;
     std::vector<ShapeMeasure> measures_;
     std::vector<Eigen::MatrixXd> mixed_; ///< of each measure that is an area: d2 A / dx dy, K x K
     Eigen::Index components_;

@@ -147,7 +147,7 @@ std::vector<double> let_slide(const std::vector<double>& start, const std::vecto
 
 /// A held boundary, its displacement, and the rows of its vertices.
 struct Held {
-    HeldBoundary boundary;
+    DirichletBoundary boundary;
     Matrix displacement;
     std::map<Index, Index> row;
 
@@ -162,7 +162,7 @@ struct Held {
 
 class Sliding {
 public:
-    Sliding(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+    Sliding(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
         : mesh_(mesh), held_(held), displacement_(displacement)
     {
         for (std::size_t i = 0; i < held.vertices.size(); ++i)
@@ -235,7 +235,7 @@ public:
 
 private:
     const Mesh& mesh_;
-    const HeldBoundary& held_;
+    const DirichletBoundary& held_;
     const Matrix& displacement_;
     std::map<Index, Index> row_;      ///< of a vertex among the held ones
     std::map<Index, int> markers_at_; ///< how many markers have the vertex
@@ -245,8 +245,8 @@ private:
 
 BoundaryMove with_sliding(BoundaryMove move, std::vector<SlidingMarker> markers)
 {
-    return [move = std::move(move), markers = std::move(markers)](const Mesh& mesh, const HeldBoundary& held,
-                                                                  const Matrix& displacement) {
+    return [move = std::move(move), markers = std::move(markers)](
+               const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement) {
         const Sliding sliding(mesh, held, displacement);
         std::vector<SlidingChain> chains;
         chains.reserve(markers.size());

@@ -10,7 +10,7 @@ namespace morph {
 
 namespace {
 
-// The sag is sampled, so the true one may be a little larger.
+// The sagitta is sampled, so the true one may be a little larger.
 constexpr double kSagMargin = 1.5;
 constexpr double kFlat = 1e-6;
 
@@ -63,17 +63,17 @@ double sag_of(const OutlineLoop& loop, const Chord& chord)
     const double to = chord.node + 1 < loop.nodes.size() ? loop.nodes[chord.node + 1].u
                                                          : loop.nodes.front().u + loop.period;
     const int samples = kSamples + static_cast<int>(kSamplesPerPeriod * (to - from) / loop.period);
-    double sag = 0;
+    double sagitta = 0;
     for (int k = 1; k < samples; ++k) {
         const OutlineNode between = node_at(loop, from + (to - from) * k / samples);
-        sag = std::max(sag, distance_to_segment(between.point, chord.a, chord.b));
+        sagitta = std::max(sagitta, distance_to_segment(between.point, chord.a, chord.b));
     }
-    return sag;
+    return sagitta;
 }
 
 ChordBox bounding_box(const Chord& chord, std::size_t number, double touching)
 {
-    const double margin = kSagMargin * chord.sag + touching;
+    const double margin = kSagMargin * chord.sagitta + touching;
     double low[2];
     double high[2];
     for (int c = 0; c < 2; ++c) {
@@ -92,7 +92,7 @@ std::vector<Chord> chords_of(const std::vector<OutlineLoop>& loops)
         const std::vector<OutlineNode>& nodes = loops[l].nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             Chord chord{l, i, nodes.size(), nodes[i].point, nodes[(i + 1) % nodes.size()].point};
-            chord.sag = sag_of(loops[l], chord);
+            chord.sagitta = sag_of(loops[l], chord);
             chords.push_back(chord);
         }
     }
@@ -110,7 +110,7 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_chords(const std::vecto
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const ChordBox& p, const ChordBox& q) {
         const Chord& first = chords[p.info()];
         const Chord& second = chords[q.info()];
-        const double near = kSagMargin * (first.sag + second.sag) + touching;
+        const double near = kSagMargin * (first.sagitta + second.sagitta) + touching;
         if (!share_a_node(first, second) && distance_between(first, second) <= near)
             pairs.push_back(std::minmax(p.info(), q.info()));
     });
@@ -120,7 +120,7 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_chords(const std::vecto
 
 bool is_flat(const Chord& chord, double touching)
 {
-    return chord.sag <= std::max(touching, kFlat * (chord.b - chord.a).norm());
+    return chord.sagitta <= std::max(touching, kFlat * (chord.b - chord.a).norm());
 }
 
 } // namespace morph

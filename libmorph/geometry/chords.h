@@ -13,10 +13,10 @@ struct Chord {
     std::size_t node = 0; ///< it starts at this node of the loop
     std::size_t loop_nodes = 0;
     Eigen::Vector2d a, b;
-    double sag = 0; ///< largest distance of the curve from the chord, sampled
+    double sagitta = 0; ///< largest distance of the curve from the chord, sampled
 };
 
-/// The largest sag of a chord that may stand for its curve, as a part of its length: the node halfway
+/// The largest sagitta of a chord that may stand for its curve, as a part of its length: the node halfway
 /// then lies well inside the circle over the chord, as refinement needs it.
 inline constexpr double kLargestSag = 0.35;
 

@@ -9,7 +9,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // triangles a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 8192; // triangles a thread takes at a time
 
 /// Side k of triangle t: the edge opposite corner k, from corner k + 1 to corner k + 2.
 struct Side {
@@ -99,13 +99,13 @@ public:
     /// pass is most of the work, and it runs in parallel.
     std::vector<Side> candidates() const
     {
-        std::vector<std::vector<Side>> found(corners_.size() / kGrain + 1);
-        parallel_for(corners_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::vector<Side>> found(corners_.size() / kRowsPerBlock + 1);
+        parallel_for(corners_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
                 for (int k = 0; k < 3; ++k) {
                     const Side side{static_cast<Index>(t), k};
                     if (neighbour(side) > side.triangle && must_flip(side))
-                        found[begin / kGrain].push_back(side);
+                        found[begin / kRowsPerBlock].push_back(side);
                 }
         });
         std::vector<Side> all;
@@ -217,7 +217,7 @@ Triangulation triangulate(const Mesh& mesh)
     Triangulation out;
     out.corners.resize(numbers.total());
     out.neighbours.resize(numbers.total());
-    parallel_for(mesh.kernel.n_faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(mesh.kernel.n_faces(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
             cut_face(mesh.kernel, numbers, f, out);
     });

@@ -121,8 +121,8 @@ public:
     {
         const auto blocks = static_cast<std::size_t>((element_count(mesh) + kBlock - 1) / kBlock);
         std::vector<BlockBox> boxes(blocks);
-        constexpr std::size_t kGrain = 1024;
-        parallel_for(blocks, kGrain, [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t kRowsPerBlock = 1024;
+        parallel_for(blocks, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end; ++b) {
                 Box box;
                 for_each_element(static_cast<Index>(b), [&](Index face) { box.extend(box_of(face)); });

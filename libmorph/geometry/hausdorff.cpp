@@ -13,7 +13,7 @@ namespace morph {
 namespace {
 
 constexpr std::size_t kMostPieces = 4096; // of one triangle
-constexpr std::size_t kGrain = 512;
+constexpr std::size_t kRowsPerBlock = 512;
 
 /// What is known of the largest distance: it is attained at a place, and bounded.
 struct Extent {
@@ -135,9 +135,9 @@ Extent farthest(const MeshParts& from, const MeshParts& to, const Precision& pre
                 std::size_t stride)
 {
     const std::size_t count = (from.size() + stride - 1) / stride;
-    std::vector<Extent> of_block((count + kGrain - 1) / kGrain, known);
-    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
-        PartSearch search(to, precision, of_block[begin / kGrain]);
+    std::vector<Extent> of_block((count + kRowsPerBlock - 1) / kRowsPerBlock, known);
+    parallel_for(count, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        PartSearch search(to, precision, of_block[begin / kRowsPerBlock]);
         for (std::size_t i = begin; i < end; ++i)
             search.run(from.piece(i * stride));
     });
@@ -178,7 +178,7 @@ void add_beyond(const MeshParts& from, const MeshParts& to, double distance, std
     constexpr double kRoughly = 0.1;
     const Precision precision{kRoughly, 0, distance};
     std::vector<Extent> extents(from.size());
-    parallel_for(from.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(from.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             PartSearch(to, precision, extents[i]).run(from.piece(i));
     });

@@ -15,8 +15,8 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 256; // queries
-constexpr int kLeaf = 10;           // points; by measurement
+constexpr std::size_t kRowsPerBlock = 256; // queries
+constexpr int kLeaf = 10;                  // points; by measurement
 
 // FLANN passes over what is no nearer than the farthest it was told, and its distance to a box, added up on
 // the way down the tree, may round by a unit in the last place a level. Told a little more, it lets pass
@@ -177,9 +177,10 @@ void NearestPoints::nearest(const Eigen::Ref<const Points>& queries, int k, cons
         if (!tree_->reaches(queries.row(q)))
             throw InputError("point " + std::to_string(q) +
                              " is not finite, or too far from the others to tell which are near");
-    parallel_for(static_cast<std::size_t>(queries.rows()), kGrain, [&](std::size_t begin, std::size_t end) {
-        tree_->visit_block(queries, begin, end, static_cast<std::size_t>(k), visit);
-    });
+    parallel_for(static_cast<std::size_t>(queries.rows()), kRowsPerBlock,
+                 [&](std::size_t begin, std::size_t end) {
+                     tree_->visit_block(queries, begin, end, static_cast<std::size_t>(k), visit);
+                 });
 }
 
 } // namespace morph

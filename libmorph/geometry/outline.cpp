@@ -127,8 +127,8 @@ void follow_curves(std::vector<OutlineLoop>& loops, double shortest)
         std::vector<std::vector<bool>> split = no_chord(loops);
         for (const Chord& chord : chords_of(loops)) {
             const double length = (chord.b - chord.a).norm();
-            const bool far = chord.sag > kLargestSag * length;
-            if (length <= shortest && (!far || chord.sag <= shortest))
+            const bool far = chord.sagitta > kLargestSag * length;
+            if (length <= shortest && (!far || chord.sagitta <= shortest))
                 throw InputError(quoted(loops[chord.loop]) + " has two nodes at the same place" +
                                  place(chord.a) + "; use fewer nodes or another curve");
             split[chord.loop][chord.node] = far;
@@ -154,7 +154,7 @@ void separate(std::vector<OutlineLoop>& loops, double touching)
         std::vector<std::vector<bool>> split = no_chord(loops);
         bool changed = false;
         for (const auto& [i, j] : meeting_chords(chords, touching)) {
-            const Chord& worst = chords[i].sag >= chords[j].sag ? chords[i] : chords[j];
+            const Chord& worst = chords[i].sagitta >= chords[j].sagitta ? chords[i] : chords[j];
             if (is_flat(chords[i], touching) && is_flat(chords[j], touching))
                 refuse_crossing(loops[chords[i].loop], loops[chords[j].loop], 0.5 * (worst.a + worst.b));
             split[worst.loop][worst.node] = true;

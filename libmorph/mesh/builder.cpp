@@ -3,9 +3,9 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/duplicates.h"
-#include "libmorph/mesh/fans.h"
 #include "libmorph/mesh/halfedges.h"
 #include "libmorph/mesh/input_check.h"
+#include "libmorph/mesh/nonmanifold_vertices.h"
 #include "libmorph/mesh/orientation.h"
 #include "libmorph/mesh/renumber.h"
 
@@ -13,7 +13,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 32768;
+constexpr std::size_t kRowsPerBlock = 32768;
 
 /// Make the edges of markers halfedges of the kernel, while each edge is still told by its two vertices.
 void markers_to_halfedges(Mesh& mesh, const EdgeTable& edges)
@@ -44,7 +44,7 @@ void halfedges_to_markers(Mesh& mesh)
 
 void split_vertices(Mesh& mesh)
 {
-    for (const Index original : split_fans(mesh.kernel))
+    for (const Index original : split_nonmanifold_vertices(mesh.kernel))
         mesh.numbering.vertex.push_back(mesh.numbering.vertex[static_cast<std::size_t>(original)]);
 }
 
@@ -52,7 +52,7 @@ void split_vertices(Mesh& mesh)
 Matrix gathered(const Matrix& values, const std::vector<Index>& rows)
 {
     Matrix result(static_cast<Eigen::Index>(rows.size()), values.cols());
-    parallel_for(rows.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(rows.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             result.row(static_cast<Eigen::Index>(i)) = values.row(rows[i]);
     });
@@ -64,7 +64,7 @@ template <typename Dense, typename Values>
 Dense scattered(const Values& values, const std::vector<Index>& rows, std::size_t count)
 {
     Dense result(static_cast<Eigen::Index>(count), values.cols());
-    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(count, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             result.row(rows[i]) = values.row(static_cast<Eigen::Index>(i));
     });
@@ -74,13 +74,13 @@ Dense scattered(const Values& values, const std::vector<Index>& rows, std::size_
 std::vector<Element> elements_of_file(const Mesh& mesh)
 {
     std::vector<Element> elements(mesh.numbering.element.size());
-    parallel_for(elements.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(elements.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             Element element = element_corners(mesh, static_cast<Index>(f));
             for (Index& v : element)
                 v = v < 0 ? v : mesh.numbering.vertex[static_cast<std::size_t>(v)];
             const auto place = static_cast<std::size_t>(mesh.numbering.element[f]);
-            elements[place] = mesh.numbering.turned[f] ? turned(element) : element;
+            elements[place] = mesh.numbering.reversed[f] ? turned(element) : element;
         }
     });
     return elements;
@@ -124,7 +124,7 @@ Mesh build_mesh(MeshData data)
     renumber_elements(mesh, data.elements);
     require_distinct_elements(data.elements, mesh.numbering);
     EdgeTable edges = match_edges(data.elements, vertex_count(mesh), mesh.numbering);
-    mesh.numbering.turned = orient_elements(mesh, data.elements, edges);
+    mesh.numbering.reversed = orient_elements(mesh, data.elements, edges);
     fill_kernel(mesh.kernel, data.elements, edges);
 
     mesh.markers = std::move(data.markers);
@@ -138,11 +138,11 @@ Mesh build_mesh(MeshData data)
         field.values =
             gathered(field.values, field.location == FieldLocation::vertex ? mesh.numbering.vertex
                                                                            : mesh.numbering.element);
-    mesh.carried = std::move(data.carried);
+    mesh.sections = std::move(data.sections);
     return mesh;
 }
 
-MeshData to_data(const Mesh& mesh)
+MeshData to_mesh_data(const Mesh& mesh)
 {
     const auto vertices = static_cast<std::size_t>(mesh.numbering.file_vertices);
     const std::size_t elements = mesh.numbering.element.size();
@@ -157,7 +157,7 @@ MeshData to_data(const Mesh& mesh)
                                field.location == FieldLocation::vertex
                                    ? scattered<Matrix>(field.values, mesh.numbering.vertex, vertices)
                                    : scattered<Matrix>(field.values, mesh.numbering.element, elements)});
-    data.carried = mesh.carried;
+    data.sections = mesh.sections;
     return data;
 }
 

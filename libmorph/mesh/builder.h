@@ -23,6 +23,6 @@ namespace morph {
 Mesh build_mesh(MeshData data);
 
 /// The mesh in the numbering, orientation and marker order of its file: the inverse of build_mesh().
-MeshData to_data(const Mesh& mesh);
+MeshData to_mesh_data(const Mesh& mesh);
 
 } // namespace morph

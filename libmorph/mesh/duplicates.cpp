@@ -10,7 +10,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 32768;
+constexpr std::size_t kRowsPerBlock = 32768;
 
 /// The vertices of an element in increasing order, and which element it is.
 struct VertexSet {
@@ -68,7 +68,7 @@ void require_distinct_elements(const std::vector<Element>& elements, const Numbe
     const auto starts_group = [&](std::size_t f) {
         return f == 0 || f == m || smallest(elements[f]) != smallest(elements[f - 1]);
     };
-    parallel_for(m, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(m, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         std::vector<VertexSet> group;
         while (begin < end && !starts_group(begin)) // the block before goes on with that group
             ++begin;

@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 32768;
+constexpr std::size_t kRowsPerBlock = 32768;
 
 /// A side in the bucket of its smaller vertex, packed so that sorting the numbers sorts by larger
 /// vertex, then by element.
@@ -127,7 +127,7 @@ void number_sides(std::span<const Side> bucket, Index edge, std::vector<std::arr
 /// The sides of the elements, and each as the halfedge of its vertices. Every element writes to its own.
 void link_elements(Kernel& kernel, const std::vector<Element>& elements, const EdgeTable& edges)
 {
-    parallel_for(elements.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(elements.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             const FaceHandle face(static_cast<Index>(f));
             const auto& sides = edges.sides[f];
@@ -189,7 +189,7 @@ EdgeTable match_edges(const std::vector<Element>& elements, Index vertices, cons
     EdgeTable table;
     table.first_edge.assign(n + 1, 0);
     std::atomic<bool> consistent{true};
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             table.first_edge[v + 1] = sort_and_count(buckets.of(v), v, numbering, consistent);
     });
@@ -198,7 +198,7 @@ EdgeTable match_edges(const std::vector<Element>& elements, Index vertices, cons
         table.first_edge[v + 1] += table.first_edge[v];
 
     table.sides.assign(elements.size(), {-1, -1, -1, -1});
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             number_sides(buckets.of(v), table.first_edge[v], table.sides);
     });

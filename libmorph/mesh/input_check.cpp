@@ -11,7 +11,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 65536;
+constexpr std::size_t kRowsPerBlock = 65536;
 
 std::string text(double x)
 {
@@ -67,7 +67,7 @@ void explain_element(const MeshData& data, Index id)
 void check_elements(const MeshData& data)
 {
     const auto vertices = static_cast<Index>(data.points.rows());
-    parallel_for(data.elements.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(data.elements.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
             if (!in_range_and_distinct(data.elements[f], vertices))
                 explain_element(data, static_cast<Index>(f));
@@ -76,7 +76,7 @@ void check_elements(const MeshData& data)
 
 void check_points(const MeshData& data)
 {
-    parallel_for(static_cast<std::size_t>(data.points.rows()), kGrain,
+    parallel_for(static_cast<std::size_t>(data.points.rows()), kRowsPerBlock,
                  [&](std::size_t begin, std::size_t end) {
                      for (std::size_t v = begin; v < end; ++v)
                          check_point(data, static_cast<Index>(v));

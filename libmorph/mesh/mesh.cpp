@@ -22,9 +22,9 @@ Element element_corners(const Mesh& mesh, Index face)
 
 std::vector<Element> element_table(const Mesh& mesh)
 {
-    constexpr std::size_t kGrain = 32768;
+    constexpr std::size_t kRowsPerBlock = 32768;
     std::vector<Element> table(static_cast<std::size_t>(element_count(mesh)));
-    parallel_for(table.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(table.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
             table[f] = element_corners(mesh, static_cast<Index>(f));
     });
@@ -54,7 +54,7 @@ std::vector<Index> marker_vertices(const Marker& marker)
     return vertices;
 }
 
-std::vector<Index> first_copies(const Numbering& numbering)
+std::vector<Index> representatives(const Numbering& numbering)
 {
     std::vector<Index> of_file(static_cast<std::size_t>(numbering.file_vertices), -1);
     std::vector<Index> first(numbering.vertex.size());

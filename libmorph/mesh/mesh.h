@@ -10,12 +10,12 @@ namespace morph {
 /// How the numbers inside the mesh go with the numbers in the file.
 ///
 /// Inside, vertices and elements follow a space-filling curve, because every stage runs several times
-/// faster when neighbours lie near each other in memory. Only build_mesh(), to_data() and whatever
+/// faster when neighbours lie near each other in memory. Only build_mesh(), to_mesh_data() and whatever
 /// prints an id for a person need to know.
 struct Numbering {
     std::vector<Index> vertex;  ///< n: file number of each vertex; copies of a split vertex share it
     std::vector<Index> element; ///< m: file number of each element
-    std::vector<bool> turned;   ///< m: the file lists this element the other way round
+    std::vector<bool> reversed; ///< m: the file lists this element the other way round
     Index file_vertices = 0;    ///< number of vertices in the file, at most n
 };
 
@@ -30,7 +30,7 @@ struct Mesh {
     std::vector<Marker> markers;
     std::vector<ElementGroup> groups;
     std::vector<Field> fields;
-    std::vector<CarriedText> carried;
+    std::vector<OpaqueSection> sections;
 };
 
 inline Index vertex_count(const Mesh& mesh)
@@ -58,7 +58,7 @@ inline Eigen::Map<const Points> points(const Mesh& mesh)
 }
 
 /// For each vertex the first copy of it: itself, unless it is split.
-std::vector<Index> first_copies(const Numbering& numbering);
+std::vector<Index> representatives(const Numbering& numbering);
 
 /// Corners of face @p face in order, the first as in the file.
 Element element_corners(const Mesh& mesh, Index face);

@@ -41,7 +41,7 @@ struct Field {
 
 /// Text of one format that the mesh has no place for (FFD boxes, periodic blocks). It goes back
 /// into a file of the same format unchanged; other formats name it in a warning.
-struct CarriedText {
+struct OpaqueSection {
     std::string format; ///< name of the format, such as "su2"
     std::string what;   ///< a few words for the warning, such as "2 FFD boxes"
     std::string text;
@@ -57,7 +57,7 @@ struct MeshData {
     std::vector<Marker> markers;
     std::vector<ElementGroup> groups;
     std::vector<Field> fields;
-    std::vector<CarriedText> carried;
+    std::vector<OpaqueSection> sections;
 };
 
 /// Marker of that name, or null.

@@ -15,7 +15,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 65536;
+constexpr std::size_t kRowsPerBlock = 65536;
 constexpr Index kNone = -1;
 
 /// (b - a) x (d - c) without rounding.
@@ -163,7 +163,7 @@ std::vector<bool> elements_to_turn(const Mesh& mesh, const std::vector<Element>&
 bool any_clockwise(const Mesh& mesh, const std::vector<Element>& elements)
 {
     std::atomic<bool> found{false};
-    parallel_for(elements.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(elements.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end && !found; ++f)
             if (area_sign(elements[f], points(mesh)) < 0)
                 found = true;

@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // rows a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 4096; // rows a thread takes at a time
 
 /// The part of a matrix whose rows and columns are in [begin, end).
 SymmetricMatrix diagonal_block(const SymmetricMatrix& A, std::size_t begin, std::size_t end)
@@ -67,12 +67,12 @@ private:
 double dot(const Matrix& a, const Matrix& b)
 {
     const auto n = static_cast<std::size_t>(a.rows());
-    std::vector<double> partial((n + kGrain - 1) / kGrain);
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> partial((n + kRowsPerBlock - 1) / kRowsPerBlock);
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t i = begin; i < end; ++i)
             sum += a(static_cast<Index>(i), 0) * b(static_cast<Index>(i), 0);
-        partial[begin / kGrain] = sum;
+        partial[begin / kRowsPerBlock] = sum;
     });
     double total = 0;
     for (const double sum : partial)
@@ -83,7 +83,7 @@ double dot(const Matrix& a, const Matrix& b)
 /// result = A x
 void multiply(const SymmetricMatrix& A, const Matrix& x, Matrix& result)
 {
-    parallel_for(A.diagonal.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(A.diagonal.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             double sum = A.diagonal[row] * x(static_cast<Index>(row), 0);
             for (std::size_t e = A.start[row]; e < A.start[row + 1]; ++e)

@@ -106,7 +106,7 @@ private:
             result_.patches.vertex.push_back(vertex);
             result_.entry.push_back(sum / result_.root[fan]);
         }
-        result_.patches.close_patch();
+        result_.patches.close_list();
     }
 
     const Mesh& mesh_;
@@ -142,7 +142,7 @@ FanLaplacian fan_laplacian(const Mesh& mesh, const Triangulation& triangulation,
 
 SymmetricMatrix bilaplacian(Index vertices, const FanLaplacian& L)
 {
-    return sum_of_patches(vertices, 1, L.patches, [&L](std::size_t p, PatchMatrix& matrix) {
+    return assemble(vertices, 1, L.patches, [&L](std::size_t p, ElementMatrix& matrix) {
         const Eigen::Map<const Eigen::VectorXd> row(L.entry.data() + L.patches.start[p],
                                                     static_cast<Index>(L.patches.size(p)));
         matrix = row * row.transpose();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/numerics/patch_matrix.h"
+#include "libmorph/numerics/assembly.h"
 #include "libmorph/numerics/symmetric_matrix.h"
 #include "libmorph/numerics/triangle_fans.h"
 
@@ -13,7 +13,7 @@ namespace morph {
 /// third of the area of the fan. Unlike stiffness_edges() negative weights stay, so that K of a linear
 /// function is its flux through the boundary, exactly.
 struct FanLaplacian {
-    Patches patches;           ///< the vertices of each fan
+    VertexLists patches;       ///< the vertices of each fan
     std::vector<double> entry; ///< of each vertex in patches
     std::vector<Index> vertex; ///< of each fan: the one that it is around
     std::vector<double> root;  ///< of each fan's mass

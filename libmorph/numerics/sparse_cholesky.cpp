@@ -19,7 +19,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // rows a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 4096; // rows a thread takes at a time
 
 std::size_t at(Index i)
 {
@@ -207,14 +207,14 @@ void SparseCholesky::add_update(const Front& f, double* update, std::size_t chil
 void SparseCholesky::solve(Matrix& X) const
 {
     Matrix Y(X.rows(), X.cols());
-    parallel_for(tree_.order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(tree_.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             Y.row(static_cast<Index>(k)) = X.row(tree_.order[k]);
     });
     std::vector<Matrix> sent(tree_.nodes.size());
     walk_up(tree_, [&](std::size_t node) { eliminate(node, Y, sent); });
     walk_down(tree_, [&](std::size_t node) { substitute(node, Y); });
-    parallel_for(tree_.order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(tree_.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             X.row(tree_.order[k]) = Y.row(static_cast<Index>(k));
     });

@@ -11,7 +11,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // triangles a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 8192; // triangles a thread takes at a time
 
 // Half the cotangent of 60 degrees: what an equilateral triangle gives to each of its edges.
 constexpr double kEquilateral = 0.5 * std::numbers::inv_sqrt3;
@@ -67,16 +67,16 @@ std::vector<WeightedEdge> stiffness_edges(const Eigen::Ref<const Points>& points
                                           const Triangulation& triangulation)
 {
     const std::size_t triangles = triangulation.corners.size();
-    std::vector<std::size_t> first(triangles / kGrain + 2);
-    parallel_for(triangles, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> first(triangles / kRowsPerBlock + 2);
+    parallel_for(triangles, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for_owned_edges(triangulation, begin, end,
-                        [&](std::size_t, std::size_t) { ++first[begin / kGrain + 1]; });
+                        [&](std::size_t, std::size_t) { ++first[begin / kRowsPerBlock + 1]; });
     });
     for (std::size_t block = 1; block < first.size(); ++block)
         first[block] += first[block - 1];
     std::vector<WeightedEdge> edges(first.back());
-    parallel_for(triangles, kGrain, [&](std::size_t begin, std::size_t end) {
-        std::size_t next = first[begin / kGrain];
+    parallel_for(triangles, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        std::size_t next = first[begin / kRowsPerBlock];
         for_owned_edges(triangulation, begin, end, [&](std::size_t t, std::size_t k) {
             edges[next++] = edge_of(points, triangulation, t, k);
         });

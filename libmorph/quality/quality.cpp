@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/quality/tally.h"
+#include "libmorph/quality/quality_accumulator.h"
 
 #include <algorithm>
 #include <string>
@@ -81,14 +81,14 @@ private:
     const PositionsView* reference_;
 };
 
-QualityTally tally(const Mesh& mesh, const ElementLoop& loop)
+QualityAccumulator tally(const Mesh& mesh, const ElementLoop& loop)
 {
-    std::vector<QualityTally> partial(loop.blocks());
+    std::vector<QualityAccumulator> partial(loop.blocks());
     loop.each([&](std::size_t block, Index face, int corners, const ElementQuality& q) {
         partial[block].add({mesh.numbering.element[static_cast<std::size_t>(face)], face, q}, corners);
     });
-    QualityTally total;
-    for (const QualityTally& part : partial)
+    QualityAccumulator total;
+    for (const QualityAccumulator& part : partial)
         total.add(part);
     return total;
 }
@@ -113,7 +113,7 @@ QualityReport report(const Mesh& mesh, const PositionsView& positions, const Pos
         report.size_skew.emplace();
     if (loop.elements() == 0)
         return report;
-    const QualityTally total = tally(mesh, loop);
+    const QualityAccumulator total = tally(mesh, loop);
     const auto elements = static_cast<double>(loop.elements());
     report.triangles = total.triangles;
     report.quads = element_count(mesh) - total.triangles;

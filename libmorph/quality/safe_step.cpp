@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/geometry/moving_corner.h"
+#include "libmorph/geometry/corner_motion.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,7 +16,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // elements of a block
+constexpr std::size_t kRowsPerBlock = 4096; // elements of a block
 
 /// An element as its vertices move.
 struct MovingElement {
@@ -34,7 +34,7 @@ struct MovingElement {
     bool is_valid_until(double time) const
     {
         for (std::size_t k = 0; k < different_corners(); ++k)
-            if (!turns_left_until(corner(k), time))
+            if (!stays_positive_until(corner(k), time))
                 return false;
         return true;
     }
@@ -100,9 +100,9 @@ double last_valid_time(const MovingElement& element, double invalid)
 std::vector<double> valid_times(const Move& move)
 {
     const auto elements = static_cast<std::size_t>(element_count(move.mesh));
-    std::vector<double> times((elements + kGrain - 1) / kGrain, 1);
-    parallel_for(elements, kGrain, [&](std::size_t begin, std::size_t end) {
-        double& time = times[begin / kGrain];
+    std::vector<double> times((elements + kRowsPerBlock - 1) / kRowsPerBlock, 1);
+    parallel_for(elements, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        double& time = times[begin / kRowsPerBlock];
         for (std::size_t f = begin; f < end && time > 0; ++f) {
             const MovingElement element = move.element(static_cast<Index>(f));
             if (!element.is_valid_until(time))
@@ -118,10 +118,10 @@ Index limiting_element(const Move& move, const std::vector<double>& times, doubl
 {
     std::vector<Index> lowest(times.size(), std::numeric_limits<Index>::max());
     const auto elements = static_cast<std::size_t>(element_count(move.mesh));
-    parallel_for(elements, kGrain, [&](std::size_t begin, std::size_t end) {
-        if (times[begin / kGrain] > step)
+    parallel_for(elements, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        if (times[begin / kRowsPerBlock] > step)
             return;
-        Index& low = lowest[begin / kGrain];
+        Index& low = lowest[begin / kRowsPerBlock];
         for (std::size_t f = begin; f < end; ++f) {
             const Index number = move.mesh.numbering.element[f];
             const bool lower = number < low;

@@ -15,7 +15,7 @@ struct SafeStep {
 ///
 /// Every corner Jacobian of every element, at positions (1 - t) before + t after without rounding, is
 /// positive for all t from 0 to step, and some corner of the element is not at the double after step: decided
-/// exactly, see turns_left_until(). Of elements that allow equally much the one with the lowest number is
+/// exactly, see stays_positive_until(). Of elements that allow equally much the one with the lowest number is
 /// named. The step is 0 when an element is inverted before the move already. Equal for any thread count.
 /// @param mesh          planar, n vertices
 /// @param before,after  n x 3, length unit of the mesh, z is not looked at

@@ -49,17 +49,17 @@ double element_energy(const PositionsView& before, const PositionsView& after, c
 
 double dirichlet_energy(const Mesh& mesh, const PositionsView& before, const PositionsView& after)
 {
-    constexpr std::size_t kGrain = 8192;
+    constexpr std::size_t kRowsPerBlock = 8192;
     for (const auto* positions : {&before, &after})
         if (positions->rows() != vertex_count(mesh))
             throw InputError("there are " + std::to_string(positions->rows()) +
                              " positions, but the mesh has " + std::to_string(vertex_count(mesh)) +
                              " vertices");
     const auto faces = static_cast<std::size_t>(element_count(mesh));
-    std::vector<double> sums((faces + kGrain - 1) / kGrain);
-    parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> sums((faces + kRowsPerBlock - 1) / kRowsPerBlock);
+    parallel_for(faces, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            sums[begin / kGrain] +=
+            sums[begin / kRowsPerBlock] +=
                 element_energy(before, after, element_corners(mesh, static_cast<Index>(f)));
     });
     double total = 0;

@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/remap/overlaps.h"
+#include "libmorph/remap/supermesh.h"
 
 #include <numeric>
 #include <string>
@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024; // elements of the target
+constexpr std::size_t kRowsPerBlock = 1024; // elements of the target
 
 void require_a_row_each(const Mesh& source, const Matrix& values)
 {
@@ -70,17 +70,17 @@ private:
 Transfer conserve_cells(const Locator& source, const Mesh& target, const Matrix& values)
 {
     require_a_row_each(source.source(), values);
-    const Overlaps overlaps(source, target, Cut::where_dented);
+    const Supermesh overlaps(source, target, Cut::where_dented);
     const auto faces = static_cast<std::size_t>(element_count(target));
     Transfer transfer;
     transfer.values = Matrix::Zero(element_count(target), values.cols());
     transfer.covered.assign(faces, 0);
-    std::vector<Eigen::RowVectorXd> integrals((faces + kGrain - 1) / kGrain);
-    parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Eigen::RowVectorXd> integrals((faces + kRowsPerBlock - 1) / kRowsPerBlock);
+    parallel_for(faces, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         Mean mean(values);
-        Eigen::RowVectorXd& integral = integrals[begin / kGrain];
+        Eigen::RowVectorXd& integral = integrals[begin / kRowsPerBlock];
         integral.setZero(values.cols());
-        overlaps.visit(begin, end, [&](const CoveredPiece& piece) {
+        overlaps.visit(begin, end, [&](const SupermeshCell& piece) {
             mean.go_to(piece.face);
             for (const Overlap& overlap : piece.covers) {
                 mean.add(overlap);

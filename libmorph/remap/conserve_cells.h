@@ -12,7 +12,7 @@ namespace morph {
 /// Computational Physics 148(2), 433-466], by exact clipping. So the integral over the common region is that
 /// of the source to rounding. A value is never outside the range of those it comes from; where they are all
 /// the same it is that value, bit for bit, and onto the same mesh every value is. Equal bytes for any thread
-/// count. O(1) for each pair of overlapping elements; see Overlaps, also for tangled meshes.
+/// count. O(1) for each pair of overlapping elements; see Supermesh, also for tangled meshes.
 ///
 /// @param source  of m elements, planar
 /// @param values  m x components, finite, rows in the source's own numbering

@@ -4,7 +4,7 @@
 #include "libmorph/core/parallel.h"
 #include "libmorph/remap/mass_matrix.h"
 #include "libmorph/remap/mixed_mass.h"
-#include "libmorph/remap/overlaps.h"
+#include "libmorph/remap/supermesh.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +14,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024; // elements of the target
+constexpr std::size_t kRowsPerBlock = 1024; // elements of the target
 
 // Share of a triangle that must be covered for it to be taken consistently.
 constexpr double kConsistent = 0.5;
@@ -61,20 +61,20 @@ private:
 /// The matrices of the triangles and the right-hand side, as the overlaps come.
 class Assembly {
 public:
-    Assembly(const Overlaps& overlaps, const Mesh& target, const Matrix& values)
+    Assembly(const Supermesh& overlaps, const Mesh& target, const Matrix& values)
         : overlaps_(overlaps), target_(target), values_(values)
     {
         const auto faces = static_cast<std::size_t>(element_count(target));
         masses_.assign(static_cast<std::size_t>(overlaps.first_piece().back()), {});
-        areas_.assign((faces + kGrain - 1) / kGrain, 0);
+        areas_.assign((faces + kRowsPerBlock - 1) / kRowsPerBlock, 0);
         sums_.resize(areas_.size());
-        parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(faces, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             BlockSum sum(target_, begin, end, values_.cols());
-            overlaps_.visit(begin, end, [&](const CoveredPiece& piece) {
-                areas_[begin / kGrain] += piece.area;
+            overlaps_.visit(begin, end, [&](const SupermeshCell& piece) {
+                areas_[begin / kRowsPerBlock] += piece.area;
                 add(piece, sum);
             });
-            sums_[begin / kGrain] = std::move(sum);
+            sums_[begin / kRowsPerBlock] = std::move(sum);
         });
     }
 
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    void add(const CoveredPiece& covered, BlockSum& sum)
+    void add(const SupermeshCell& covered, BlockSum& sum)
     {
         const bool consistent = covered.area >= kConsistent * covered.piece.area;
         Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
@@ -121,7 +121,7 @@ private:
                                                         mass.mixed(i, 2) * (third[k] - first[k]);
     }
 
-    const Overlaps& overlaps_;
+    const Supermesh& overlaps_;
     const Mesh& target_;
     const Matrix& values_;
     std::vector<TriangleMass> masses_;
@@ -139,7 +139,7 @@ struct System {
 /// What it takes to get there is gone once it is made, before the memory for solving is needed.
 System assemble(const Locator& source, const Mesh& target, const Matrix& values)
 {
-    const Overlaps overlaps(source, target, Cut::triangles);
+    const Supermesh overlaps(source, target, Cut::triangles);
     const Assembly assembly(overlaps, target, values);
     return {MassMatrix(target, overlaps.first_piece(), assembly.masses()), assembly.right_hand_side(),
             assembly.area()};

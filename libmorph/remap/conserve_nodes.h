@@ -22,7 +22,7 @@ namespace morph {
 /// - constant and linear functions are reproduced, to rounding,
 /// - smooth functions are approximated at second order.
 /// A value may leave the range of the source's where that jumps. Equal bytes for any thread count. O(1) for
-/// each pair of overlapping elements, see Overlaps, and some 30 multiplications by M.
+/// each pair of overlapping elements, see Supermesh, and some 30 multiplications by M.
 ///
 /// @param source  of n vertices, planar
 /// @param values  n x components, finite, rows in the source's own numbering

@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192;
+constexpr std::size_t kRowsPerBlock = 8192;
 
 /// Integral of each corner's basis function over an element; the fourth of a triangle is 0.
 ///
@@ -53,11 +53,11 @@ Eigen::RowVectorXd element_integral(const Mesh& mesh, Index face, const Field& f
 Eigen::RowVectorXd integral(const Mesh& mesh, const Field& field)
 {
     const auto faces = static_cast<std::size_t>(element_count(mesh));
-    std::vector<Eigen::RowVectorXd> sums((faces + kGrain - 1) / kGrain,
+    std::vector<Eigen::RowVectorXd> sums((faces + kRowsPerBlock - 1) / kRowsPerBlock,
                                          Eigen::RowVectorXd::Zero(field.values.cols()));
-    parallel_for(faces, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(faces, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            sums[begin / kGrain] += element_integral(mesh, static_cast<Index>(f), field);
+            sums[begin / kRowsPerBlock] += element_integral(mesh, static_cast<Index>(f), field);
     });
     Eigen::RowVectorXd total = Eigen::RowVectorXd::Zero(field.values.cols());
     for (const Eigen::RowVectorXd& sum : sums)

@@ -8,7 +8,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kRowsPerBlock = 2048;
 
 constexpr std::size_t kAhead = 8; // targets: long enough for memory to answer
 
@@ -71,7 +71,7 @@ std::vector<Matrix> interpolate(const Mesh& source, const Locations& locations,
     std::vector<Matrix> results;
     for (const Field* field : fields)
         results.emplace_back(Matrix::Zero(at.rows(), field->values.cols()));
-    parallel_for(locations.order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(locations.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kAhead < end)
                 prefetch_target(locations.order[i + kAhead], locations, at, results);

@@ -14,9 +14,9 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048; // targets that one walk after the other finds
-constexpr std::size_t kAhead = 8;    // targets: long enough for memory to answer
-constexpr Index kSamples = 512;      // faces among which the first walk of a block starts
+constexpr std::size_t kRowsPerBlock = 2048; // targets that one walk after the other finds
+constexpr std::size_t kAhead = 8;           // targets: long enough for memory to answer
+constexpr Index kSamples = 512;             // faces among which the first walk of a block starts
 constexpr Index kShortestPatience = 64;
 constexpr Index kUnknown = -2; // a walk alone cannot tell
 
@@ -172,7 +172,7 @@ Locations Locator::locate(const Eigen::Ref<const Points>& targets) const
     found.order = hilbert_order(targets, 2);
     if (samples_.empty())
         return found;
-    parallel_for(found.order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(found.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         const auto first = targets.row(found.order[begin]);
         Walker walker(source_, face_near(first.x(), first.y()));
         for (std::size_t i = begin; i < end; ++i) {

@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/remap/pieces.h"
+#include "libmorph/remap/convex_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,8 +92,8 @@ MassMatrix::MassMatrix(const Mesh& mesh, const std::vector<Index>& first_piece,
             row.start(static_cast<Index>(v));
             for (const FaceHandle face : mesh.kernel.vf_range(VertexHandle(static_cast<Index>(v)))) {
                 auto number = static_cast<std::size_t>(first_piece[static_cast<std::size_t>(face.idx())]);
-                for (const Pieces pieces = cut_element(mesh, face.idx(), Cut::triangles);
-                     const Piece& piece : pieces.all())
+                for (const ConvexParts pieces = split_convex(mesh, face.idx(), Cut::triangles);
+                     const ConvexPart& piece : pieces.all())
                     row.add_triangle(piece.vertices, masses[number++]);
             }
             const double sum = std::accumulate(row.values.begin(), row.values.end(), 0.0);

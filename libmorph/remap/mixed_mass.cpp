@@ -47,7 +47,7 @@ double triangle_area(PlanePoint a, PlanePoint b, PlanePoint c)
 
 } // namespace
 
-MixedMass mixed_mass(const Piece& target, const Overlap& overlap)
+MixedMass mixed_mass(const ConvexPart& target, const Overlap& overlap)
 {
     const Triangle target_triangle = relative_to(overlap.origin, target.outline);
     const Triangle source_triangle = relative_to(overlap.origin, overlap.source.outline);
@@ -71,7 +71,7 @@ MixedMass mixed_mass(const Piece& target, const Overlap& overlap)
     return mass;
 }
 
-MixedMass lumped_mixed_mass(const Piece& target, const Overlap& overlap)
+MixedMass lumped_mixed_mass(const ConvexPart& target, const Overlap& overlap)
 {
     const Triangle target_triangle = relative_to(overlap.origin, target.outline);
     const Triangle source_triangle = relative_to(overlap.origin, overlap.source.outline);

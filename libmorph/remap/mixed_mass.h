@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/remap/overlaps.h"
+#include "libmorph/remap/supermesh.h"
 
 #include <Eigen/Core>
 
@@ -19,13 +19,13 @@ struct MixedMass {
 ///
 /// @param target   triangle, its area not 0
 /// @param overlap  of it with a triangle of the source, its area not 0
-MixedMass mixed_mass(const Piece& target, const Overlap& overlap);
+MixedMass mixed_mass(const ConvexPart& target, const Overlap& overlap);
 
 /// The same lumped, for a source that covers little of the triangle: int phi_i on the diagonal, and each
 /// corner x_i gets the source continued linearly to it, mixed(i, s) = psi_s(x_i) int phi_i.
 ///
 /// The integral of the source is the same as without lumping, because sum_i phi_i (x_i - x) = 0, and linear
 /// functions stay exact.
-MixedMass lumped_mixed_mass(const Piece& target, const Overlap& overlap);
+MixedMass lumped_mixed_mass(const ConvexPart& target, const Overlap& overlap);
 
 } // namespace morph

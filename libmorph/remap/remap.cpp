@@ -80,7 +80,7 @@ void scatter(const std::vector<Index>& targets, const Matrix& from, Matrix& to)
 }
 
 /// The values at the closest points of the source.
-std::vector<Matrix> values_at_feet(const Mesh& source, const Sites& sites,
+std::vector<Matrix> values_at_feet(const Mesh& source, const TargetLocations& sites,
                                    std::span<const Field* const> fields, QuadRule rule)
 {
     Locations feet;
@@ -130,13 +130,13 @@ const Remapper::Targets& Remapper::located(FieldLocation location)
     std::optional<Targets>& targets = location == FieldLocation::vertex ? vertices_ : centres_;
     if (!targets) {
         Points at = location == FieldLocation::vertex ? Points(points(target_)) : centres_of(target_);
-        Sites found = find_sites(source_, at);
+        TargetLocations found = locate_targets(source_, at);
         targets.emplace(Targets{std::move(at), std::move(found)});
     }
     return *targets;
 }
 
-const Sites& Remapper::sites(FieldLocation location)
+const TargetLocations& Remapper::sites(FieldLocation location)
 {
     return located(location).sites;
 }
@@ -222,7 +222,7 @@ std::vector<Matrix> Remapper::interpolated(FieldLocation location, std::span<con
 void Remapper::fill_outside(const Targets& targets, std::span<const Field* const> fields,
                             std::vector<Matrix>& values)
 {
-    const Sites& sites = targets.sites;
+    const TargetLocations& sites = targets.sites;
     if (outside() == Outside::fail) {
         const auto farthest =
             std::max_element(sites.outside_feet.begin(), sites.outside_feet.end(),

@@ -4,7 +4,7 @@
 #include "libmorph/remap/conserve_fields.h"
 #include "libmorph/remap/corner_weights.h"
 #include "libmorph/remap/inverse_distance.h"
-#include "libmorph/remap/sites.h"
+#include "libmorph/remap/target_locations.h"
 
 #include <optional>
 #include <span>
@@ -52,7 +52,7 @@ public:
     const std::optional<Conservation>& conservation(FieldLocation location) const;
 
     /// Where the vertices or the element centres of the target lie. Found when first asked for.
-    const Sites& sites(FieldLocation location);
+    const TargetLocations& sites(FieldLocation location);
 
     /// The points that these are.
     const Points& targets(FieldLocation location);
@@ -60,7 +60,7 @@ public:
 private:
     struct Targets {
         Points points;
-        Sites sites;
+        TargetLocations sites;
     };
     const Targets& located(FieldLocation location);
     FieldLocation place_of(const Field& field) const;

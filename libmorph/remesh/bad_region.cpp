@@ -1,6 +1,6 @@
 #include "libmorph/remesh/bad_region.h"
 
-#include "libmorph/remesh/remaking.h"
+#include "libmorph/remesh/remesh_state.h"
 
 namespace morph {
 

@@ -6,7 +6,7 @@
 #include "libmorph/geometry/hausdorff.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/chord_size.h"
-#include "libmorph/remesh/wanted_size.h"
+#include "libmorph/remesh/target_size.h"
 
 #include <Eigen/Geometry>
 
@@ -52,13 +52,13 @@ bool lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<D
 Eigen::VectorXd least_sizes(const Mesh& mesh)
 {
     constexpr double kOfOwn = 0.125;
-    return mesh.dimension == 2 ? own_sizes(mesh) : Eigen::VectorXd(kOfOwn * own_sizes(mesh));
+    return mesh.dimension == 2 ? current_sizes(mesh) : Eigen::VectorXd(kOfOwn * current_sizes(mesh));
 }
 
 } // namespace
 
-RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
-                         const RemeshSettings& settings)
+RemeshResult remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
+                           const RemeshSettings& settings)
 {
     constexpr int kRounds = 10; // far more than it takes where the distance can be met
     if (!(distance > 0))
@@ -69,7 +69,7 @@ RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& siz
     const double of_edge = mesh.dimension == 2 ? distance : 0.75 * distance;
     const double of_wanted_length = of_edge / (kLongEdge * kLongEdge);
     sizes = sizes.cwiseMin(chord_sizes(mesh, settings.features, of_wanted_length)).cwiseMax(least);
-    RemadeMesh made = remesh(mesh, sizes, settings);
+    RemeshResult made = remesh(mesh, sizes, settings);
     const ElementTree tree(mesh);
     for (int round = 0; round < kRounds; ++round) {
         const std::vector<DistantPlace> places = places_beyond(mesh, build_mesh(made.data), distance);

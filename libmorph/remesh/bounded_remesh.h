@@ -14,7 +14,7 @@ namespace morph {
 /// @param distance  positive; length unit of the mesh
 /// @param sizes     as for remesh(); on return those that the mesh was made with
 /// @throws InputError  as remesh(); a distance that is not positive
-RemadeMesh remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
-                         const RemeshSettings& settings = {});
+RemeshResult remesh_within(const Mesh& mesh, double distance, Eigen::VectorXd& sizes,
+                           const RemeshSettings& settings = {});
 
 } // namespace morph

@@ -1,7 +1,7 @@
 #include "libmorph/remesh/chord_size.h"
 
-#include "libmorph/remesh/curve_limit.h"
-#include "libmorph/remesh/net_mesh.h"
+#include "libmorph/remesh/corner_table_mesh.h"
+#include "libmorph/remesh/curvature_limit.h"
 #include "libmorph/remesh/surface_curvature.h"
 
 #include <algorithm>
@@ -17,15 +17,15 @@ std::size_t at(Index i)
     return static_cast<std::size_t>(i);
 }
 
-Remaking with_features(const Mesh& mesh, const FeatureSettings& features)
+RemeshState with_features(const Mesh& mesh, const FeatureSettings& features)
 {
     std::vector<bool> quads;
     for (const Element& element : element_table(mesh))
         quads.push_back(element[3] >= 0);
-    TriangleNet net = net_of(mesh, quads);
+    CornerTable net = net_of(mesh, quads);
     const bool planar = mesh.dimension == 2;
-    Underlay underlay(net, planar);
-    Remaking made{std::move(net), {}, std::move(underlay), planar};
+    BackgroundMesh underlay(net, planar);
+    RemeshState made{std::move(net), {}, std::move(underlay), planar};
     find_features(made, mesh, features);
     return made;
 }
@@ -36,8 +36,8 @@ Eigen::VectorXd chord_sizes(const Mesh& mesh, const FeatureSettings& features, d
 {
     Eigen::VectorXd radius =
         Eigen::VectorXd::Constant(vertex_count(mesh), std::numeric_limits<double>::infinity());
-    const Remaking made = with_features(mesh, features);
-    const TriangleNet& net = made.net;
+    const RemeshState made = with_features(mesh, features);
+    const CornerTable& net = made.net;
     const auto lower = [&](Index v, double most) {
         double& here = radius[net.vertices[at(v)].origin];
         here = std::min(here, most);

@@ -32,7 +32,7 @@ struct Line {
 
 class FeatureFinder {
 public:
-    FeatureFinder(Remaking& made, const Mesh& mesh, const FeatureSettings& settings)
+    FeatureFinder(RemeshState& made, const Mesh& mesh, const FeatureSettings& settings)
         : made_(made), net_(made.net), mesh_(mesh), settings_(settings), edges_of_(net_.vertices.size())
     {
     }
@@ -293,7 +293,7 @@ private:
             net_.tag[at(h)] = 2 * number + (along ? 0 : 1);
             if (net_.twin[at(h)] >= 0)
                 net_.tag[at(net_.twin[at(h)])] = net_.tag[at(h)] ^ 1;
-            NetVertex& vertex = net_.vertices[at(start)];
+            TableVertex& vertex = net_.vertices[at(start)];
             if (vertex.curve == kFixedVertex)
                 continue;
             vertex.curve = number;
@@ -301,8 +301,8 @@ private:
         }
     }
 
-    Remaking& made_;
-    TriangleNet& net_;
+    RemeshState& made_;
+    CornerTable& net_;
     const Mesh& mesh_;
     const FeatureSettings& settings_;
     std::map<Index, Membership> edges_; ///< by the halfedge that stands for the edge
@@ -312,7 +312,7 @@ private:
 
 } // namespace
 
-NetEdges::NetEdges(const TriangleNet& net, Index mesh_vertices)
+NetEdges::NetEdges(const CornerTable& net, Index mesh_vertices)
     : net_(net), first_(at(mesh_vertices), -1), next_of_same_(net.vertices.size(), -1)
 {
     for (std::size_t v = net.vertices.size(); v-- > 0;) {
@@ -341,7 +341,7 @@ Index NetEdges::find(Index from, Index to) const
     return found >= 0 ? found : find_directed(to, from);
 }
 
-void find_features(Remaking& made, const Mesh& mesh, const FeatureSettings& settings)
+void find_features(RemeshState& made, const Mesh& mesh, const FeatureSettings& settings)
 {
     for (const MarkerCurve& given : settings.curves)
         marker(mesh, given.marker); // names the nearest one where it is missing

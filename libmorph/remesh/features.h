@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/remesh/remaking.h"
+#include "libmorph/remesh/remesh_state.h"
 
 #include <string>
 #include <vector>
@@ -30,19 +30,19 @@ struct FeatureSettings {
 ///
 /// @param made      its net has sides of kept elements tagged already, and their vertices fixed
 /// @throws InputError  as node_parameters(); a curve whose marker is not in the mesh
-void find_features(Remaking& made, const Mesh& mesh, const FeatureSettings& settings);
+void find_features(RemeshState& made, const Mesh& mesh, const FeatureSettings& settings);
 
 /// The halfedge of the net from a vertex of the mesh to another; -1: there is none.
 class NetEdges {
 public:
-    NetEdges(const TriangleNet& net, Index mesh_vertices);
+    NetEdges(const CornerTable& net, Index mesh_vertices);
     /// Either way round: the halfedge may run from @p to to @p from when only that one exists.
     Index find(Index from, Index to) const;
 
 private:
     Index find_directed(Index from, Index to) const;
 
-    const TriangleNet& net_;
+    const CornerTable& net_;
     std::vector<Index> first_;        ///< of a mesh vertex
     std::vector<Index> next_of_same_; ///< of a net vertex, the next copy
 };

@@ -1,5 +1,5 @@
 #include "libmorph/geometry/predicates.h"
-#include "libmorph/remesh/resize.h"
+#include "libmorph/remesh/local_operations.h"
 
 #include <Eigen/Geometry>
 
@@ -23,7 +23,7 @@ Eigen::Vector2d angle_at(const Eigen::Vector3d& p, const Eigen::Vector3d& a, con
 /// Flips edges of one net.
 class Flipper {
 public:
-    explicit Flipper(Remaking& made) : made_(made), net_(made.net) {}
+    explicit Flipper(RemeshState& made) : made_(made), net_(made.net) {}
 
     std::size_t run()
     {
@@ -94,14 +94,14 @@ private:
             pending_.push_back(side);
     }
 
-    Remaking& made_;
-    TriangleNet& net_;
+    RemeshState& made_;
+    CornerTable& net_;
     std::vector<Index> pending_;
 };
 
 } // namespace
 
-std::size_t flip_edges(Remaking& made)
+std::size_t flip_edges(RemeshState& made)
 {
     return Flipper(made).run();
 }

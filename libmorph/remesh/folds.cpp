@@ -35,8 +35,8 @@ std::vector<Index> folded_triangles(const Mesh& old, const Mesh& made)
     const auto place = points(made);
     const auto count = static_cast<std::size_t>(element_count(made));
     std::vector<char> folded(count, 0); // not bool: blocks write side by side
-    constexpr std::size_t kGrain = 1024;
-    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t kRowsPerBlock = 1024;
+    parallel_for(count, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         std::size_t near = 0;
         for (std::size_t f = begin; f < end; ++f)
             if (const Element e = element_corners(made, static_cast<Index>(f)); e[3] < 0)

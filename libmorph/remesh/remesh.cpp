@@ -4,10 +4,10 @@
 #include "libmorph/core/names.h"
 #include "libmorph/core/progress.h"
 #include "libmorph/core/space_curve.h"
-#include "libmorph/remesh/curve_limit.h"
-#include "libmorph/remesh/outline_start.h"
-#include "libmorph/remesh/relax.h"
-#include "libmorph/remesh/resize.h"
+#include "libmorph/remesh/curvature_limit.h"
+#include "libmorph/remesh/local_operations.h"
+#include "libmorph/remesh/smoothing.h"
+#include "libmorph/remesh/start_from_boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ std::vector<bool> kept_elements(const Mesh& mesh, const RemeshSettings& settings
     return kept;
 }
 
-void require_positive(const Remaking& made, const Mesh& mesh, const std::vector<bool>& kept)
+void require_positive(const RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept)
 {
     Index t = 0;
     for (Index f = 0; f < element_count(mesh); ++f) {
@@ -64,7 +64,7 @@ void require_positive(const Remaking& made, const Mesh& mesh, const std::vector<
 }
 
 /// Renumber along a space-filling curve, so that what is near is near in memory.
-void renumber(Remaking& made)
+void renumber(RemeshState& made)
 {
     Points positions(static_cast<Eigen::Index>(made.net.vertices.size()), 3);
     for (std::size_t v = 0; v < made.net.vertices.size(); ++v)
@@ -73,7 +73,7 @@ void renumber(Remaking& made)
 }
 
 /// The longest of the edges that may be split.
-double longest_edge(const TriangleNet& net)
+double longest_edge(const CornerTable& net)
 {
     double longest = 0;
     for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
@@ -84,7 +84,7 @@ double longest_edge(const TriangleNet& net)
 
 /// Longest edges first, with flips between: else what refines a large triangle much makes fans of hundreds.
 /// Looks for the longest anew each time, as the middle of an edge may be where much shorter ones are wanted.
-void refine_in_steps(Remaking& made)
+void refine_in_steps(RemeshState& made)
 {
     constexpr double kStep = 1.5;
     constexpr int kMostSteps = 200;
@@ -98,7 +98,7 @@ void refine_in_steps(Remaking& made)
     }
 }
 
-void remake(Remaking& made, int iterations)
+void remake(RemeshState& made, int iterations)
 {
     constexpr double kMend = 0.7; // quality below which triangles are looked at one by one
     constexpr int kLastSweeps = 5;
@@ -120,33 +120,33 @@ void remake(Remaking& made, int iterations)
 }
 
 /// Features as if they were sides of kept elements.
-void hold_features(TriangleNet& net)
+void hold_features(CornerTable& net)
 {
     for (Index& tag : net.tag)
         if (tag != kNoTag)
             tag = kKeptTag;
-    for (NetVertex& vertex : net.vertices)
+    for (TableVertex& vertex : net.vertices)
         if (vertex.curve != kFreeVertex)
             vertex.curve = kFixedVertex;
 }
 
-void mark_features(Remaking& made, const Mesh& mesh, const RemeshSettings& settings)
+void mark_features(RemeshState& made, const Mesh& mesh, const RemeshSettings& settings)
 {
     find_features(made, mesh, settings.features);
     if (settings.hold_features)
         hold_features(made.net);
 }
 
-RemadeMesh remade(Remaking& made, const Mesh& mesh, const std::vector<bool>& kept,
-                  const RemeshSettings& settings)
+RemeshResult remade(RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept,
+                    const RemeshSettings& settings)
 {
-    const TriangleNet before = made.net;
+    const CornerTable before = made.net;
     remake(made, settings.iterations);
     return mesh_of(made, before, mesh, kept, settings.numbering);
 }
 
-RemadeMesh made_anew(Remaking& made, const Mesh& mesh, const std::vector<bool>& kept,
-                     const RemeshSettings& settings)
+RemeshResult made_anew(RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept,
+                       const RemeshSettings& settings)
 {
     const Outline outline = start_from_outline(made, mesh, kept);
     mark_features(made, outline.mesh, settings);
@@ -155,25 +155,25 @@ RemadeMesh made_anew(Remaking& made, const Mesh& mesh, const std::vector<bool>& 
 
 } // namespace
 
-RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings)
+RemeshResult remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings)
 {
     require_sizes(mesh, sizes);
     const std::vector<bool> kept = kept_elements(mesh, settings);
-    TriangleNet net = net_of(mesh, kept);
-    for (NetVertex& vertex : net.vertices)
+    CornerTable net = net_of(mesh, kept);
+    for (TableVertex& vertex : net.vertices)
         vertex.size = sizes[vertex.origin];
     const bool planar = mesh.dimension == 2;
-    Underlay underlay(net, planar);
-    Remaking made{std::move(net), {}, std::move(underlay), planar};
+    BackgroundMesh underlay(net, planar);
+    RemeshState made{std::move(net), {}, std::move(underlay), planar};
     require_positive(made, mesh, kept);
     mark_features(made, mesh, settings);
     limit_by_curves(made);
     if (!planar)
         made.underlay.find_normals(made.net.tag);
     Eigen::VectorXd limited = sizes;
-    for (const NetVertex& vertex : made.net.vertices)
+    for (const TableVertex& vertex : made.net.vertices)
         limited[vertex.origin] = vertex.size;
-    RemadeMesh result =
+    RemeshResult result =
         settings.fresh ? made_anew(made, mesh, kept, settings) : remade(made, mesh, kept, settings);
     result.sizes = limited;
     return result;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/remesh/corner_table_mesh.h"
 #include "libmorph/remesh/features.h"
-#include "libmorph/remesh/net_mesh.h"
 
 #include <vector>
 
@@ -36,6 +36,6 @@ struct RemeshSettings {
 /// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
 ///                     that is
 ///                     not kept; sizes or kept of the wrong number; fresh: as retriangulate()
-RemadeMesh remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings = {});
+RemeshResult remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const RemeshSettings& settings = {});
 
 } // namespace morph

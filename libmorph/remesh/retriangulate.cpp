@@ -4,7 +4,7 @@
 #include "libmorph/geometry/nearest_points.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/cut_region.h"
-#include "libmorph/remesh/kept_numbers.h"
+#include "libmorph/remesh/keep_numbering.h"
 
 #include <string>
 
@@ -35,7 +35,7 @@ Eigen::RowVector3d centre(const Points& places, const Corners& corners)
 class Assembly {
 public:
     Assembly(const Mesh& mesh, const CutRegion& region, const RetriangulateSettings& settings)
-        : mesh_(mesh), old_(to_data(mesh)), triangles_(region.triangles), settings_(settings),
+        : mesh_(mesh), old_(to_mesh_data(mesh)), triangles_(region.triangles), settings_(settings),
           cut_(old_.elements.size(), false)
     {
         for (Index f = 0; f < element_count(mesh); ++f)
@@ -45,7 +45,7 @@ public:
     Retriangulated run()
     {
         result_.data.dimension = old_.dimension;
-        result_.data.carried = old_.carried;
+        result_.data.sections = old_.sections;
         number_elements();
         number_vertices();
         for (Element& element : result_.data.elements)

@@ -22,7 +22,7 @@ struct SmoothParts {
     Index count = 0;
 };
 
-SmoothParts smooth_parts(const TriangleNet& net)
+SmoothParts smooth_parts(const CornerTable& net)
 {
     SmoothParts parts{std::vector<Index>(net.from.size(), -1), 0};
     std::vector<Index> outs;
@@ -45,18 +45,18 @@ SmoothParts smooth_parts(const TriangleNet& net)
     return parts;
 }
 
-Eigen::Vector3d side(const TriangleNet& net, Index h)
+Eigen::Vector3d side(const CornerTable& net, Index h)
 {
     return net.point(net.to(h)) - net.point(net.from[at(h)]);
 }
 
 /// Unit normal of each part, of its triangles weighted so that it is exact on a sphere [Max 1999, Weights for
 /// computing vertex normals from facet normals, J. Graphics Tools 4(2)].
-Points part_normals(const TriangleNet& net, const SmoothParts& parts)
+Points part_normals(const CornerTable& net, const SmoothParts& parts)
 {
     Points normals = Points::Zero(parts.count, 3);
     for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        const Eigen::Vector3d ahead = side(net, h), back = -side(net, TriangleNet::previous(h));
+        const Eigen::Vector3d ahead = side(net, h), back = -side(net, CornerTable::previous(h));
         const double lengths = ahead.squaredNorm() * back.squaredNorm();
         if (lengths > 0)
             normals.row(parts.of_corner[at(h)]) += ahead.cross(back) / lengths;
@@ -66,7 +66,7 @@ Points part_normals(const TriangleNet& net, const SmoothParts& parts)
 }
 
 /// Second fundamental form of a triangle as a matrix of space.
-Eigen::Matrix3d fitted_form(const TriangleNet& net, Index t, const std::array<Eigen::Vector3d, 3>& normal)
+Eigen::Matrix3d fitted_form(const CornerTable& net, Index t, const std::array<Eigen::Vector3d, 3>& normal)
 {
     const Eigen::Vector3d u = side(net, 3 * t).normalized();
     const Eigen::Vector3d v = side(net, 3 * t).cross(side(net, 3 * t + 1)).cross(u).normalized();
@@ -96,7 +96,7 @@ double largest_of(const Eigen::Matrix3d& form)
 
 } // namespace
 
-Eigen::VectorXd largest_curvature(const TriangleNet& net)
+Eigen::VectorXd largest_curvature(const CornerTable& net)
 {
     const SmoothParts parts = smooth_parts(net);
     const Points normals = part_normals(net, parts);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/remesh/triangle_net.h"
+#include "libmorph/remesh/corner_table.h"
 
 #include <Eigen/Core>
 
@@ -14,6 +14,6 @@ namespace morph {
 /// as one smooth surface; of the parts around a vertex the most curved counts.
 ///
 /// @param net  with its features found
-Eigen::VectorXd largest_curvature(const TriangleNet& net);
+Eigen::VectorXd largest_curvature(const CornerTable& net);
 
 } // namespace morph

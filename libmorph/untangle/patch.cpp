@@ -23,13 +23,13 @@ struct Star {
     const Index* end() const { return last; }
 };
 
-Star star(const Stars& stars, Index v)
+Star star(const VertexStars& stars, Index v)
 {
     return {stars.around.data() + stars.start[at(v)], stars.around.data() + stars.start[at(v) + 1]};
 }
 
 /// Vertices within some rings of elements, as flags.
-std::vector<char> dilate(const Stars& stars, const std::vector<Index>& elements, int rings)
+std::vector<char> dilate(const VertexStars& stars, const std::vector<Index>& elements, int rings)
 {
     std::vector<char> inside(stars.vertex_of.size(), static_cast<char>(rings < 0));
     std::vector<Index> front, next;
@@ -55,7 +55,7 @@ std::vector<char> dilate(const Stars& stars, const std::vector<Index>& elements,
 /// Collects the free vertices connected with one of them, and their elements.
 class Collector {
 public:
-    Collector(const Stars& stars, std::vector<char> free)
+    Collector(const VertexStars& stars, std::vector<char> free)
         : stars_(stars), free_(std::move(free)), seen_(stars.elements.size()), rim_of_(free_.size(), -1)
     {
     }
@@ -99,7 +99,7 @@ private:
         }
     }
 
-    const Stars& stars_;
+    const VertexStars& stars_;
     std::vector<char> free_; // 0: not free, 1: free, 2: free and in a patch
     std::vector<char> seen_; // by element
     std::vector<Index> rim_of_;
@@ -157,7 +157,7 @@ std::size_t mapped_corners(const Element& element)
 }
 
 /// Mean of the areas that corners of the patch span, over those that span one.
-double mean_area(const Patch& patch, const Stars& stars, const PositionsView& reference)
+double mean_area(const Patch& patch, const VertexStars& stars, const PositionsView& reference)
 {
     double sum = 0, count = 0;
     for (const Index f : patch.elements)
@@ -185,7 +185,7 @@ CornerMap TargetCorner::map(const PlanePositions& x) const
     return {slope[1] * p + slope[2] * q, std::conj(slope[1]) * p + std::conj(slope[2]) * q};
 }
 
-std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& held,
+std::vector<Patch> find_patches(const VertexStars& stars, const std::vector<char>& held,
                                 const std::vector<Index>& elements, int rings)
 {
     std::vector<char> free = dilate(stars, elements, rings);
@@ -201,7 +201,7 @@ std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& hel
     return patches;
 }
 
-void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference,
+void set_targets(Patch& patch, const VertexStars& stars, const PositionsView& reference,
                  const std::vector<char>& ignored)
 {
     const double mean = mean_area(patch, stars, reference);

@@ -2,7 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 #include "libmorph/untangle/corner_energy.h"
-#include "libmorph/untangle/stars.h"
+#include "libmorph/untangle/vertex_stars.h"
 
 #include <array>
 #include <complex>
@@ -30,13 +30,13 @@ struct Patch {
     std::vector<TargetCorner> corners; ///< of these elements, but those without a free vertex
 };
 
-/// The patches around some elements: the vertices within @p rings elements of them that are not held. Patches
+/// The patches around some elements: the vertices within @p rings elements of them that are not held. VertexLists
 /// that share an element are one.
 ///
-/// @param held   by vertex, see Stars for which
+/// @param held   by vertex, see VertexStars for which
 /// @param rings  negative: the whole mesh
 /// @return with vertices and elements only
-std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& held,
+std::vector<Patch> find_patches(const VertexStars& stars, const std::vector<char>& held,
                                 const std::vector<Index>& elements, int rings);
 
 /// Fill in the corners of a patch: their targets are the same corners at @p reference. A corner that is not
@@ -44,7 +44,7 @@ std::vector<Patch> find_patches(const Stars& stars, const std::vector<char>& hel
 /// Each element has the same weight.
 ///
 /// @param ignored  by element: has no corners
-void set_targets(Patch& patch, const Stars& stars, const PositionsView& reference,
+void set_targets(Patch& patch, const VertexStars& stars, const PositionsView& reference,
                  const std::vector<char>& ignored);
 
 } // namespace morph

@@ -8,7 +8,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024; // corners or vertices a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 1024; // corners or vertices a thread takes at a time
 
 std::size_t at(Index i)
 {
@@ -77,9 +77,9 @@ PatchEnergy::PatchEnergy(const Patch& patch, const EnergyWeights& weights)
 PatchEnergy::Value PatchEnergy::value(const PlanePositions& x, double eps) const
 {
     const std::size_t n = patch_.corners.size();
-    std::vector<Value> partial((n + kGrain - 1) / kGrain, {0, HUGE_VAL});
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
-        Value& sum = partial[begin / kGrain];
+    std::vector<Value> partial((n + kRowsPerBlock - 1) / kRowsPerBlock, {0, HUGE_VAL});
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        Value& sum = partial[begin / kRowsPerBlock];
         for (std::size_t c = begin; c < end; ++c) {
             const CornerMap map = patch_.corners[c].map(x);
             sum.energy += patch_.corners[c].weight * corner_energy(map, eps, weights_);
@@ -97,7 +97,7 @@ PatchEnergy::Value PatchEnergy::value(const PlanePositions& x, double eps) const
 std::vector<CornerModel> PatchEnergy::corner_models(const PlanePositions& x, double eps) const
 {
     std::vector<CornerModel> models(patch_.corners.size());
-    parallel_for(models.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(models.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
             models[c] = corner_model(patch_.corners[c].map(x), eps, weights_);
     });
@@ -120,7 +120,7 @@ PatchEnergy::Model PatchEnergy::model(const PlanePositions& x, double eps) const
     }
     A.column.resize(A.start.back());
     A.value.resize(A.start.back());
-    parallel_for(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         std::vector<Block> row;
         for (std::size_t v = begin; v < end; ++v) {
             const Index* first = neighbours_.data() + neighbour_start_[v];

@@ -3,9 +3,9 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/predicates.h"
-#include "libmorph/untangle/fresh_start.h"
 #include "libmorph/untangle/newton.h"
 #include "libmorph/untangle/patch.h"
+#include "libmorph/untangle/reinitialize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,20 +71,20 @@ public:
 
     void run(UntangleResult& result)
     {
-        give_up(result.hopeless);
-        const std::vector<Index> first = mendable(result);
+        give_up(result.unrepairable);
+        const std::vector<Index> first = repairable(result);
         int rings = grow_patches(result);
-        if (options_.fresh_start && !mendable(result).empty())
+        if (options_.reinitialize && !repairable(result).empty())
             rings = start_afresh(result);
-        if (mendable(result).empty())
+        if (repairable(result).empty())
             spread(find_patches(stars_, held_, first, rings), result);
     }
 
     void certify(UntangleResult& result) const
     {
         result.inverted = inverted_elements(mesh_, positions_);
-        result.hopeless.clear();
-        std::copy_if(result.inverted.begin(), result.inverted.end(), std::back_inserter(result.hopeless),
+        result.unrepairable.clear();
+        std::copy_if(result.inverted.begin(), result.inverted.end(), std::back_inserter(result.unrepairable),
                      [&](Index f) { return is_hopeless(stars_.elements[at(f)]); });
         result.valid = result.inverted.empty();
     }
@@ -93,9 +93,9 @@ private:
     /// Repair patches of more and more rings; returns the number that comes next.
     int grow_patches(UntangleResult& result)
     {
-        int rings = first_rings(mendable(result));
-        for (int growth = 0; growth < kGrowths && !mendable(result).empty(); ++growth, rings *= 2) {
-            std::vector<Patch> patches = find_patches(stars_, held_, mendable(result), rings);
+        int rings = first_rings(repairable(result));
+        for (int growth = 0; growth < kGrowths && !repairable(result).empty(); ++growth, rings *= 2) {
+            std::vector<Patch> patches = find_patches(stars_, held_, repairable(result), rings);
             if (growth > 0 && count_free(patches) > kFew / 2)
                 break; // a fresh start costs less
             repair(std::move(patches), result);
@@ -149,9 +149,9 @@ private:
                     reference_.row(first).head<2>() + move->row(first);
         certify(result);
         const int rings = grow_patches(result);
-        if (!mendable(result).empty())
+        if (!repairable(result).empty())
             repair(find_patches(stars_, held_, {}, kWholeMesh), result, true);
-        const std::vector<Index> left = mendable(result);
+        const std::vector<Index> left = repairable(result);
         if (left.empty())
             return rings;
         give_up(left);
@@ -167,7 +167,7 @@ private:
             given_up_[at(f)] = 1;
     }
 
-    std::vector<Index> mendable(const UntangleResult& result) const
+    std::vector<Index> repairable(const UntangleResult& result) const
     {
         std::vector<Index> list;
         std::copy_if(result.inverted.begin(), result.inverted.end(), std::back_inserter(list),
@@ -221,7 +221,7 @@ private:
     }
 
     const Mesh& mesh_;
-    Stars stars_;
+    VertexStars stars_;
     const PositionsView& reference_;
     Eigen::Ref<Points>& positions_;
     const UntangleOptions& options_;

@@ -8,21 +8,22 @@ namespace morph {
 
 /// How untangle() works.
 struct UntangleOptions {
-    double size = 2;         ///< weight of keeping an element's area against keeping its shape
-    double exponent = 1.3;   ///< of an element's energy: larger ones favour the worst elements over the mean
-    int rings = 8;           ///< of elements around an inverted one that move with it
-    int iterations = 200;    ///< at most, for each patch
-    bool fresh_start = true; ///< where patches fail: also from the held vertices' move carried in anew
+    double size = 2;          ///< weight of keeping an element's area against keeping its shape
+    double exponent = 1.3;    ///< of an element's energy: larger ones favour the worst elements over the mean
+    int rings = 8;            ///< of elements around an inverted one that move with it
+    int iterations = 200;     ///< at most, for each patch
+    bool reinitialize = true; ///< where patches fail: also from the held vertices' move carried in anew
 };
 
 /// What untangle() came to.
 struct UntangleResult {
     bool valid = false;          ///< no element is inverted, decided exactly on the positions
     std::vector<Index> inverted; ///< the elements that still are, ascending
-    std::vector<Index> hopeless; ///< those of them with a corner Jacobian <= 0 all of whose three vertices
-                                 ///< are held: no positions of the others can mend them
-    Index patch_vertices = 0;    ///< vertices that were free to move, each time counted
-    int iterations = 0;          ///< of all patches together
+    std::vector<Index>
+        unrepairable;         ///< those of them with a corner Jacobian <= 0 all of whose three vertices
+                              ///< are held: no positions of the others can mend them
+    Index patch_vertices = 0; ///< vertices that were free to move, each time counted
+    int iterations = 0;       ///< of all patches together
 };
 
 /// Repair the inverted elements of a moved mesh: drive every corner Jacobian positive and bring each element

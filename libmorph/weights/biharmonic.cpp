@@ -1,9 +1,9 @@
 #include "libmorph/weights/biharmonic.h"
 
 #include "libmorph/geometry/delaunay.h"
+#include "libmorph/numerics/dirichlet_system.h"
 #include "libmorph/numerics/fan_laplacian.h"
-#include "libmorph/numerics/held_system.h"
-#include "libmorph/weights/held_vertices.h"
+#include "libmorph/weights/unique_dirichlet_vertices.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ std::size_t at(Index i)
     return static_cast<std::size_t>(i);
 }
 
-Triangulation delaunay(const Mesh& mesh, const HeldBoundary& held)
+Triangulation delaunay(const Mesh& mesh, const DirichletBoundary& held)
 {
     Triangulation triangulation = triangulate(mesh);
     cut_along(triangulation, held.walls);
@@ -26,12 +26,12 @@ Triangulation delaunay(const Mesh& mesh, const HeldBoundary& held)
 
 /// Boundary edge with both ends held, the mesh on its left.
 struct WallEdge {
-    Index from, to; // rows in HeldVertices::vertices()
+    Index from, to; // rows in UniqueDirichletVertices::vertices()
     std::size_t from_fan, to_fan;
 };
 
 std::vector<WallEdge> wall_edges(const Triangulation& triangulation, const TriangleFans& fans,
-                                 const HeldVertices& held)
+                                 const UniqueDirichletVertices& held)
 {
     std::vector<Index> row(held.representatives().size(), -1);
     for (std::size_t i = 0; i < held.vertices().size(); ++i)
@@ -51,7 +51,7 @@ std::vector<WallEdge> wall_edges(const Triangulation& triangulation, const Trian
 
 /// What both kinds of biharmonic functions have.
 struct Biharmonic {
-    Biharmonic(const Mesh& mesh, const HeldBoundary& boundary)
+    Biharmonic(const Mesh& mesh, const DirichletBoundary& boundary)
         : held(mesh, boundary), triangulation(delaunay(mesh, boundary)), fans(triangulation),
           laplacian(fan_laplacian(mesh, triangulation, fans, held.representatives())),
           system(points(mesh), bilaplacian(vertex_count(mesh), laplacian), 1, held.vertices())
@@ -72,18 +72,18 @@ struct Biharmonic {
         return u;
     }
 
-    HeldVertices held;
+    UniqueDirichletVertices held;
     Triangulation triangulation;
     TriangleFans fans;
     FanLaplacian laplacian;
-    HeldSystem system;
+    DirichletSystem system;
 };
 
-class BiharmonicSpread final : public Spread {
+class BiharmonicSpread final : public BoundaryExtension {
 public:
-    BiharmonicSpread(const Mesh& mesh, const HeldBoundary& held) : parts_(mesh, held) {}
+    BiharmonicSpread(const Mesh& mesh, const DirichletBoundary& held) : parts_(mesh, held) {}
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         return parts_.solve(values, Matrix::Zero(static_cast<Index>(parts_.fans.count()), values.cols()));
     }
@@ -92,14 +92,14 @@ private:
     Biharmonic parts_;
 };
 
-class ConformalBiharmonicSpread final : public VectorSpread {
+class ConformalBiharmonicSpread final : public CoupledExtension {
 public:
-    ConformalBiharmonicSpread(const Mesh& mesh, const HeldBoundary& held)
+    ConformalBiharmonicSpread(const Mesh& mesh, const DirichletBoundary& held)
         : parts_(mesh, held), walls_(wall_edges(parts_.triangulation, parts_.fans, parts_.held))
     {
     }
 
-    Points2 spread(const Points2& displacements) const override
+    Points2 extend(const Points2& displacements) const override
     {
         return parts_.solve(displacements, flux(parts_.held.join(displacements)));
     }
@@ -124,12 +124,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<Spread> biharmonic_spread(const Mesh& mesh, const HeldBoundary& held)
+std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& held)
 {
     return std::make_unique<BiharmonicSpread>(mesh, held);
 }
 
-std::unique_ptr<VectorSpread> conformal_biharmonic_spread(const Mesh& mesh, const HeldBoundary& held)
+std::unique_ptr<CoupledExtension> conformal_biharmonic_extension(const Mesh& mesh,
+                                                                 const DirichletBoundary& held)
 {
     return std::make_unique<ConformalBiharmonicSpread>(mesh, held);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
-#include "libmorph/weights/vector_spread.h"
+#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/coupled_extension.h"
 
 #include <memory>
 
@@ -27,19 +27,20 @@ namespace morph {
 /// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; an element is inverted
 /// @throws SolverError  the system is singular
-std::unique_ptr<Spread> biharmonic_spread(const Mesh& mesh, const HeldBoundary& held);
+std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& held);
 
 /// Biharmonic displacements whose second condition on the held boundary lets the mesh turn with it: du/dn is
 /// du/ds turned by a right angle, n and s being the normal and the tangent. Those are the Cauchy-Riemann
 /// equations: at the wall the move is conformal, so that lines of the mesh that are orthogonal to it stay so,
 /// and are stretched as the wall is.
 ///
-/// The system is that of biharmonic_spread(); the condition adds -du/dn to K u at the boundary, where the
+/// The system is that of biharmonic_extension(); the condition adds -du/dn to K u at the boundary, where the
 /// integral over an edge is half the difference of its ends' displacements, turned [the gradient of the area,
 /// as in Desbrun, Meyer & Alliez 2002, Computer Graphics Forum 21(3), 209-218]. Shifting, turning by any
 /// angle and scaling the whole boundary does the same with the mesh.
 ///
-/// @throws InputError, SolverError  as biharmonic_spread()
-std::unique_ptr<VectorSpread> conformal_biharmonic_spread(const Mesh& mesh, const HeldBoundary& held);
+/// @throws InputError, SolverError  as biharmonic_extension()
+std::unique_ptr<CoupledExtension> conformal_biharmonic_extension(const Mesh& mesh,
+                                                                 const DirichletBoundary& held);
 
 } // namespace morph

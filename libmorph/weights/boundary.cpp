@@ -156,7 +156,7 @@ std::string pair_text(const Eigen::RowVector2d& move)
 
 } // namespace
 
-CurveBoundary place_on_curve(const Mesh& mesh, const std::string& marker_name, const Curve& curve)
+CurveBoundary parametrize_marker(const Mesh& mesh, const std::string& marker_name, const Curve& curve)
 {
     if (mesh.dimension != 2)
         throw InputError("boundary '" + marker_name +

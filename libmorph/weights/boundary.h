@@ -3,7 +3,7 @@
 #include "libmorph/basis/closest.h"
 #include "libmorph/basis/curve.h"
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/numerics/dirichlet.h"
+#include "libmorph/numerics/dirichlet_laplacian.h"
 #include "libmorph/weights/weights.h"
 
 #include <string>
@@ -24,7 +24,7 @@ struct CurveBoundary {
 ///
 /// @throws InputError  no such marker, it branches or is in pieces, the mesh is not planar, a closed
 ///                     marker on an open curve whose ends do not meet
-CurveBoundary place_on_curve(const Mesh& mesh, const std::string& marker_name, const Curve& curve);
+CurveBoundary parametrize_marker(const Mesh& mesh, const std::string& marker_name, const Curve& curve);
 
 /// A vertex that more than one boundary lays claim to: the ends of two curves, or an end on a fixed marker.
 struct SharedVertex {

@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/weights/held_edges.h"
+#include "libmorph/weights/boundary_segments.h"
 
 #include <optional>
 
@@ -10,27 +10,27 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // vertices a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 4096; // vertices a thread takes at a time
 
-std::optional<NearestOnEdges> nearest_on(const Points& points, const std::vector<HeldEdge>& edges)
+std::optional<NearestOnSegments> nearest_on(const Points& points, const std::vector<BoundarySegment>& edges)
 {
     if (edges.empty())
         return std::nullopt;
-    return NearestOnEdges(points, edges);
+    return NearestOnSegments(points, edges);
 }
 
-class DampingSpread final : public Spread {
+class DampingSpread final : public BoundaryExtension {
 public:
-    DampingSpread(const Mesh& mesh, const HeldBoundary& held) : held_(mesh, held)
+    DampingSpread(const Mesh& mesh, const DirichletBoundary& held) : held_(mesh, held)
     {
         if (held_.vertices().empty())
             throw InputError("no vertex is held: there is nothing to damp");
-        const HeldEdges edges = held_edges(mesh, held, held_);
+        const BoundarySegments edges = boundary_segments(mesh, held, held_);
         const Points boundary = held_points(mesh, held_);
         const auto moving = nearest_on(boundary, edges.moving), still = nearest_on(boundary, edges.still);
         const auto x = points(mesh);
         sources_.resize(static_cast<std::size_t>(x.rows()));
-        parallel_for(sources_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(sources_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             Source at;
             for (std::size_t v = begin; v < end; ++v) {
                 const auto row = x.row(static_cast<Index>(v));
@@ -44,11 +44,11 @@ public:
         });
     }
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         const Matrix joined = held_.join(values);
         Matrix result(static_cast<Index>(sources_.size()), values.cols());
-        parallel_for(sources_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(sources_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 const auto& [moving, still, share] = sources_[v];
                 result.row(static_cast<Index>(v)) =
@@ -74,13 +74,13 @@ private:
         return moving == 0 ? 1 : 1 / (1 + quotient * quotient);
     }
 
-    HeldVertices held_;
+    UniqueDirichletVertices held_;
     std::vector<Source> sources_; ///< of each vertex
 };
 
 } // namespace
 
-std::unique_ptr<Spread> damping_spread(const Mesh& mesh, const HeldBoundary& held)
+std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& held)
 {
     return std::make_unique<DampingSpread>(mesh, held);
 }

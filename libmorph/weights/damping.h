@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <memory>
 
@@ -21,7 +21,7 @@ namespace morph {
 /// of the moving boundary are equally near, as inside a dent or between two bodies, v jumps if their
 /// values differ.
 ///
-/// @throws InputError  as HeldVertices; nothing is held; a moving edge ends at a vertex that is not held
-std::unique_ptr<Spread> damping_spread(const Mesh& mesh, const HeldBoundary& held);
+/// @throws InputError  as UniqueDirichletVertices; nothing is held; a moving edge ends at a vertex that is not held
+std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& held);
 
 } // namespace morph

@@ -3,7 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/segment_tree.h"
-#include "libmorph/weights/element_spread.h"
+#include "libmorph/weights/energy_extension.h"
 
 #include <Eigen/LU>
 
@@ -16,7 +16,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // elements a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 8192; // elements a thread takes at a time
 
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, 4, 2>;    // of the corners' functions
 using StrainMatrix = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 8>; // xx, yy, 2 xy of each unknown
@@ -62,12 +62,12 @@ CornerMatrix corner_matrix(const ElementPoints& element)
 
 class Solid {
 public:
-    Solid(const Mesh& mesh, const HeldBoundary& held, const Elasticity& elasticity)
+    Solid(const Mesh& mesh, const DirichletBoundary& held, const Elasticity& elasticity)
         : mesh_(mesh), D_(stress_matrix(elasticity.poisson_ratio)), modulus_(moduli(held, elasticity.modulus))
     {
     }
 
-    void add_energy(const ElementPoints& element, PatchMatrix& Q) const
+    void add_energy(const ElementPoints& element, ElementMatrix& Q) const
     {
         if (element.corners == 3)
             return add_point(element, 1.0 / 3, 1.0 / 3, 0.5, Q);
@@ -79,7 +79,7 @@ public:
 
 private:
     /// Add what one integration point contributes.
-    void add_point(const ElementPoints& element, double s, double t, double weight, PatchMatrix& Q) const
+    void add_point(const ElementPoints& element, double s, double t, double weight, ElementMatrix& Q) const
     {
         const Gradients reference = reference_gradients(element.corners, s, t);
         const Eigen::Matrix2d jacobian = corner_matrix(element) * reference;
@@ -97,7 +97,7 @@ private:
         Q += (modulus * weight * area) * (B.transpose() * D_ * B);
     }
 
-    std::vector<double> moduli(const HeldBoundary& held, YoungsModulus modulus) const
+    std::vector<double> moduli(const DirichletBoundary& held, YoungsModulus modulus) const
     {
         const std::vector<Element> elements = element_table(mesh_);
         std::vector<double> result(elements.size(), 1.0);
@@ -112,7 +112,7 @@ private:
     void divide_by_distance(const std::vector<Element>& elements, const SegmentTree& moving,
                             std::vector<double>& result) const
     {
-        parallel_for(elements.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(elements.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             SegmentTree::Nearest nearest; // neighbours in the numbering are neighbours in the plane
             for (std::size_t e = begin; e < end; ++e) {
                 Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -153,13 +153,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<VectorSpread> elastic_spread(const Mesh& mesh, const HeldBoundary& held,
-                                             const Elasticity& elasticity)
+std::unique_ptr<CoupledExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                    const Elasticity& elasticity)
 {
     require_valid(elasticity);
     const Solid solid(mesh, held, elasticity);
-    return std::make_unique<ElementSpread>(
-        mesh, held, [&](const ElementPoints& element, PatchMatrix& Q) { solid.add_energy(element, Q); });
+    return std::make_unique<EnergyExtension>(
+        mesh, held, [&](const ElementPoints& element, ElementMatrix& Q) { solid.add_energy(element, Q); });
 }
 
 } // namespace morph

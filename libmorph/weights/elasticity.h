@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
-#include "libmorph/weights/vector_spread.h"
+#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/coupled_extension.h"
 
 #include <memory>
 
@@ -35,7 +35,7 @@ struct Elasticity {
 ///                      twice; a part of the mesh has fewer than two held vertices; Poisson's ratio is out of
 ///                      range; inverse_distance without moving edges; an element is inverted
 /// @throws SolverError  the system is singular
-std::unique_ptr<VectorSpread> elastic_spread(const Mesh& mesh, const HeldBoundary& held,
-                                             const Elasticity& elasticity);
+std::unique_ptr<CoupledExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                    const Elasticity& elasticity);
 
 } // namespace morph

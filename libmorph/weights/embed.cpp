@@ -9,8 +9,8 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048; // points that look in the part of the one before
-constexpr int kMostSteps = 40;       // those on a sure part need four or five
+constexpr std::size_t kRowsPerBlock = 2048; // points that look in the part of the one before
+constexpr int kMostSteps = 40;              // those on a sure part need four or five
 
 // Relative to the lattice, what rounding leaves of S(u) - x; relative to the sides of a part, of a step.
 constexpr double kRoundOff = 1e-15;
@@ -152,8 +152,8 @@ Index embed_all(const LatticeTree& tree, const Eigen::Ref<const Points>& points,
     const Eigen::Vector3d origin = tree.lattice().definition().control_points.colwise().mean();
     const TensorNet net = tensor_net(tree.lattice(), homogeneous_points(tree.lattice(), origin));
     const auto count = static_cast<std::size_t>(points.rows());
-    std::vector<Index> found((count + kGrain - 1) / kGrain);
-    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> found((count + kRowsPerBlock - 1) / kRowsPerBlock);
+    parallel_for(count, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         Finder<dimension, rational, degree> finder(tree, net, origin);
         for (std::size_t i = begin; i < end; ++i) {
             const auto row = static_cast<Eigen::Index>(i);
@@ -162,7 +162,7 @@ Index embed_all(const LatticeTree& tree, const Eigen::Ref<const Points>& points,
                 continue;
             result.parameters.row(row).template head<dimension>() = u.transpose();
             result.inside[i] = 1;
-            ++found[begin / kGrain];
+            ++found[begin / kRowsPerBlock];
         }
     });
     Index inside = 0;

@@ -3,7 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/segment_tree.h"
-#include "libmorph/weights/held_vertices.h"
+#include "libmorph/weights/unique_dirichlet_vertices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192; // edges or vertices a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 8192; // edges or vertices a thread takes at a time
 
 // No distance or root of an area counts as less than this part of an edge's length: a vertex that lies on a
 // moving edge in a tangled mesh must not make g infinite. Boundary layers stay far above it.
@@ -37,7 +37,7 @@ double edge_length(const Eigen::Ref<const Points>& x, const WeightedEdge& e)
 template <typename Least>
 void divide_by_mean(const std::vector<double>& size, const Least& least, std::vector<WeightedEdge>& edges)
 {
-    parallel_for(edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(edges.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             WeightedEdge& e = edges[i];
             const double mean =
@@ -52,7 +52,7 @@ std::vector<double> distances(const Mesh& mesh, const std::vector<std::array<Ind
 {
     const SegmentTree tree(points(mesh), moving_edges);
     std::vector<double> distance(static_cast<std::size_t>(vertex_count(mesh)));
-    parallel_for(distance.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(distance.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         SegmentTree::Nearest nearest; // neighbours in the numbering are neighbours in the plane
         for (std::size_t v = begin; v < end; ++v) {
             const auto at = points(mesh).row(static_cast<Index>(v));
@@ -86,7 +86,8 @@ std::vector<double> mean_areas(const Mesh& mesh)
     return area;
 }
 
-std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
+std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const DirichletBoundary& held,
+                                         Diffusivity diffusivity)
 {
     Triangulation triangulation = triangulate(mesh);
     cut_along(triangulation, held.walls);
@@ -102,22 +103,22 @@ std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const HeldBoundary& h
     return edges;
 }
 
-DirichletProblem dirichlet_problem(const Mesh& mesh, const HeldBoundary& held, const HeldVertices& vertices,
-                                   Diffusivity diffusivity)
+DirichletLaplacian dirichlet_problem(const Mesh& mesh, const DirichletBoundary& held,
+                                     const UniqueDirichletVertices& vertices, Diffusivity diffusivity)
 {
     std::vector<WeightedEdge> edges = weighted_edges(mesh, held, diffusivity);
     join_copies(vertices.representatives(), edges);
     return {points(mesh), edges, vertices.vertices()};
 }
 
-class HarmonicSpread final : public Spread {
+class HarmonicSpread final : public BoundaryExtension {
 public:
-    HarmonicSpread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
+    HarmonicSpread(const Mesh& mesh, const DirichletBoundary& held, Diffusivity diffusivity)
         : held_(mesh, held), problem_(dirichlet_problem(mesh, held, held_, diffusivity))
     {
     }
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         const Matrix joined = held_.join(values);
         Matrix h = problem_.solve(joined);
@@ -126,21 +127,22 @@ public:
     }
 
 private:
-    HeldVertices held_;
-    DirichletProblem problem_;
+    UniqueDirichletVertices held_;
+    DirichletLaplacian problem_;
 };
 
 } // namespace
 
-std::unique_ptr<Spread> harmonic_spread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity)
+std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                      Diffusivity diffusivity)
 {
     return std::make_unique<HarmonicSpread>(mesh, held, diffusivity);
 }
 
 Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity)
 {
-    const HeldBoundary held{problem.held.vertices, problem.moving_edges, problem.walls};
-    return HarmonicSpread(mesh, held, diffusivity).spread(problem.held.values);
+    const DirichletBoundary held{problem.held.vertices, problem.moving_edges, problem.walls};
+    return HarmonicSpread(mesh, held, diffusivity).extend(problem.held.values);
 }
 
 } // namespace morph

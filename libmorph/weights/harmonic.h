@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/numerics/dirichlet.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/numerics/dirichlet_laplacian.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <array>
 #include <memory>
@@ -38,17 +38,18 @@ struct HarmonicProblem {
 /// Copies of a split vertex are one unknown. A vertex of no element gets 0. Scaling or shifting the mesh
 /// changes the result by round-off only, and the number of threads not at all.
 ///
-/// The system is factored here; spread() solves. Later changes to @p mesh do not matter.
+/// The system is factored here; extend() solves. Later changes to @p mesh do not matter.
 ///
 /// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; inverse_distance without moving edges
 /// @throws SolverError  the system is singular
-std::unique_ptr<Spread> harmonic_spread(const Mesh& mesh, const HeldBoundary& held, Diffusivity diffusivity);
+std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                      Diffusivity diffusivity);
 
-/// Harmonic weights: the harmonic_spread() of problem.held.values.
+/// Harmonic weights: the harmonic_extension() of problem.held.values.
 ///
 /// @return n x K
-/// @throws InputError   as harmonic_spread(); the sizes in @p problem do not fit
+/// @throws InputError   as harmonic_extension(); the sizes in @p problem do not fit
 /// @throws SolverError  the system has no finite solution
 Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity);
 

@@ -12,7 +12,7 @@ Weights harmonic_curve_weights(const Mesh& mesh, const std::vector<NamedCurve>& 
     std::vector<CurveBoundary> boundaries;
     std::vector<std::string> carried;
     for (const NamedCurve& named : curves) {
-        boundaries.push_back(place_on_curve(mesh, named.marker, named.curve));
+        boundaries.push_back(parametrize_marker(mesh, named.marker, named.curve));
         carried.push_back(named.marker);
     }
     const BoundaryConditions conditions = boundary_conditions(mesh, boundaries, other_markers(mesh, carried));

@@ -21,7 +21,7 @@ struct NamedCurve {
 /// For more say in what is fixed, or for the parameters of the nodes, see boundary.h and harmonic.h.
 ///
 /// @return n x K, the control points of the first curve first
-/// @throws InputError, SolverError  as place_on_curve(), boundary_conditions() and harmonic_weights()
+/// @throws InputError, SolverError  as parametrize_marker(), boundary_conditions() and harmonic_weights()
 Weights harmonic_curve_weights(const Mesh& mesh, const std::vector<NamedCurve>& curves,
                                Diffusivity diffusivity = Diffusivity::inverse_distance);
 

@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/weights/held_edges.h"
+#include "libmorph/weights/boundary_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +47,12 @@ IdwOptions checked(const Mesh& mesh, IdwOptions options)
 }
 
 /// Half the length of the edges at each held vertex; a vertex without an edge has the mean of the others.
-Eigen::ArrayXd edge_shares(const Mesh& mesh, const HeldBoundary& held, const HeldVertices& vertices)
+Eigen::ArrayXd edge_shares(const Mesh& mesh, const DirichletBoundary& held,
+                           const UniqueDirichletVertices& vertices)
 {
     const Points x = held_points(mesh, vertices);
     Eigen::ArrayXd share = Eigen::ArrayXd::Zero(x.rows());
-    const HeldEdges edges = held_edges(mesh, held, vertices);
+    const BoundarySegments edges = boundary_segments(mesh, held, vertices);
     for (const auto& list : {edges.moving, edges.still})
         for (const auto& [a, b] : list) {
             const double half = 0.5 * (x.row(b) - x.row(a)).head<2>().norm();
@@ -75,9 +76,9 @@ Eigen::ArrayXd raised(const Eigen::ArrayXd& s, double exponent)
     return power;
 }
 
-class IdwSpread final : public Spread {
+class IdwSpread final : public BoundaryExtension {
 public:
-    IdwSpread(const Mesh& mesh, const HeldBoundary& held, const IdwOptions& options)
+    IdwSpread(const Mesh& mesh, const DirichletBoundary& held, const IdwOptions& options)
         : positions_(points(mesh)), held_(mesh, held), options_(checked(mesh, options)),
           boundary_(held_points(mesh, held_)), share_(edge_shares(mesh, held, held_))
     {
@@ -85,7 +86,7 @@ public:
             throw InputError("no vertex is held: there is nothing to weigh by inverse distance");
     }
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         const Matrix joined = held_.join(values);
         Matrix result(positions_.rows(), values.cols());
@@ -120,7 +121,7 @@ private:
     }
 
     Points positions_;
-    HeldVertices held_;
+    UniqueDirichletVertices held_;
     IdwOptions options_;
     Points boundary_;      ///< h x 3
     Eigen::ArrayXd share_; ///< A_i
@@ -137,7 +138,8 @@ double default_reach(const Mesh& mesh)
     return (x.rowwise() - mean).rowwise().norm().maxCoeff();
 }
 
-std::unique_ptr<Spread> idw_spread(const Mesh& mesh, const HeldBoundary& held, const IdwOptions& options)
+std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                 const IdwOptions& options)
 {
     return std::make_unique<IdwSpread>(mesh, held, options);
 }

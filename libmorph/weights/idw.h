@@ -1,13 +1,13 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <memory>
 
 namespace morph {
 
-/// How idw_spread() weighs the boundary; the defaults are those of IDWarp [Secco et al. 2021, AIAA Journal
+/// How idw_extension() weighs the boundary; the defaults are those of IDWarp [Secco et al. 2021, AIAA Journal
 /// 59(4)], which uses the same weights.
 struct IdwOptions {
     double far_exponent = 3;  ///< a
@@ -25,15 +25,15 @@ double default_reach(const Mesh& mesh);
 ///     w_i(x) = A_i ((L_def / r_i)^a + (alpha L_def / r_i)^b),   r_i = |x - x_i|,
 ///
 /// where A_i is half the length of the boundary edges at held vertex i. Every value is a mean of held ones,
-/// so that bounds and constants are kept. With spread_with_rotations() each point of the boundary carries its
+/// so that bounds and constants are kept. With extend_with_rotations() each point of the boundary carries its
 /// frame along as in that article; angles are blended where the article blends matrices.
 ///
 /// Each vertex sums over the whole boundary: n k terms, in blocks on every core, so that twice as fine a mesh
 /// in the plane takes 8 times as long. Memory beyond the result does not grow with n.
 ///
-/// @throws InputError  as HeldVertices; nothing is held; an exponent, reach or stiffness that is not positive
+/// @throws InputError  as UniqueDirichletVertices; nothing is held; an exponent, reach or stiffness that is not positive
 ///                     (stiffness may be 0), or b below a
-std::unique_ptr<Spread> idw_spread(const Mesh& mesh, const HeldBoundary& held,
-                                   const IdwOptions& options = {});
+std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                 const IdwOptions& options = {});
 
 } // namespace morph

@@ -21,7 +21,7 @@ constexpr int kDeepestInPlane = 12;
 constexpr int kDeepestInSpace = 8;
 constexpr std::size_t kMostParts = 200'000;
 
-constexpr std::size_t kGrain = 64; // parts
+constexpr std::size_t kRowsPerBlock = 64; // parts
 
 // Relative to the sides of the Jacobian: determinants that rounding decides on.
 constexpr double kFlat = 1e-12;
@@ -128,7 +128,7 @@ private:
     void cut_level(bool may_cut)
     {
         std::vector<Found> found(tasks_.size());
-        parallel_for(tasks_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(tasks_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 found[i] = look_at(tasks_[i]);
         });

@@ -3,7 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/nearest_points.h"
-#include "libmorph/weights/held_edges.h"
+#include "libmorph/weights/boundary_segments.h"
 #include "libmorph/weights/radial_interpolant.h"
 #include "libmorph/weights/rbf_setup.h"
 
@@ -15,10 +15,10 @@ namespace morph {
 
 namespace {
 
-constexpr std::size_t kGrain = 4096; // vertices a thread takes at a time
+constexpr std::size_t kRowsPerBlock = 4096; // vertices a thread takes at a time
 
-/// Rows of HeldVertices::vertices() that are centres.
-std::vector<Index> centre_rows(const Mesh& mesh, const HeldVertices& vertices,
+/// Rows of UniqueDirichletVertices::vertices() that are centres.
+std::vector<Index> centre_rows(const Mesh& mesh, const UniqueDirichletVertices& vertices,
                                const std::vector<Index>& centres)
 {
     std::vector<Index> rows(centres.empty() ? vertices.vertices().size() : 0);
@@ -49,16 +49,16 @@ std::vector<Index> pick(const std::vector<Index>& list, const std::vector<Index>
 /// Takes away the error that is left on the boundary, near it.
 class BoundaryCorrection {
 public:
-    BoundaryCorrection(const Mesh& mesh, const HeldBoundary& held, const HeldVertices& vertices,
-                       const Points& centres)
+    BoundaryCorrection(const Mesh& mesh, const DirichletBoundary& held,
+                       const UniqueDirichletVertices& vertices, const Points& centres)
     {
         const Points positions = held_points(mesh, vertices);
         Matrix reach(positions.rows(), 1);
         NearestPoints(centres).nearest(
             positions, 2, [&reach](Index row, auto found) { reach(row, 0) = 2 * found.back().distance; });
-        HeldEdges edges = held_edges(mesh, held, vertices);
+        BoundarySegments edges = boundary_segments(mesh, held, vertices);
         edges.moving.insert(edges.moving.end(), edges.still.begin(), edges.still.end());
-        find_near(points(mesh), NearestOnEdges(positions, edges.moving), reach);
+        find_near(points(mesh), NearestOnSegments(positions, edges.moving), reach);
     }
 
     /// @param error   h x c
@@ -78,26 +78,27 @@ private:
         EdgePoint point;
     };
 
-    void find_near(const Eigen::Ref<const Points>& x, const NearestOnEdges& edges, const Matrix& reach)
+    void find_near(const Eigen::Ref<const Points>& x, const NearestOnSegments& edges, const Matrix& reach)
     {
-        near_.resize(static_cast<std::size_t>(x.rows()) / kGrain + 1);
-        parallel_for(static_cast<std::size_t>(x.rows()), kGrain, [&](std::size_t begin, std::size_t end) {
-            EdgePoint at;
-            for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-                at = edges.nearest(x(v, 0), x(v, 1), at.segment);
-                const double q = at.distance / at.value(reach)[0], rest = (1 - q) * (1 - q);
-                if (q < 1)
-                    near_[begin / kGrain].push_back({v, rest * rest * (4 * q + 1), at});
-            }
-        });
+        near_.resize(static_cast<std::size_t>(x.rows()) / kRowsPerBlock + 1);
+        parallel_for(static_cast<std::size_t>(x.rows()), kRowsPerBlock,
+                     [&](std::size_t begin, std::size_t end) {
+                         EdgePoint at;
+                         for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+                             at = edges.nearest(x(v, 0), x(v, 1), at.segment);
+                             const double q = at.distance / at.value(reach)[0], rest = (1 - q) * (1 - q);
+                             if (q < 1)
+                                 near_[begin / kRowsPerBlock].push_back({v, rest * rest * (4 * q + 1), at});
+                         }
+                     });
     }
 
     std::vector<std::vector<Near>> near_; ///< by block of vertices
 };
 
-class RbfSpread final : public Spread {
+class RbfSpread final : public BoundaryExtension {
 public:
-    RbfSpread(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options,
+    RbfSpread(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options,
               const std::vector<Index>& centres)
         : positions_(points(mesh)), held_(mesh, held), rows_(centre_rows(mesh, held_, centres)),
           interpolant_(radial_interpolant(mesh, pick(held_.vertices(), rows_), options,
@@ -106,7 +107,7 @@ public:
     {
     }
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         const Matrix joined = held_.join(values);
         const Matrix coefficients = interpolant_.coefficients(joined(rows_, Eigen::all));
@@ -118,7 +119,7 @@ public:
 
 private:
     Points positions_;
-    HeldVertices held_;
+    UniqueDirichletVertices held_;
     std::vector<Index> rows_; ///< of held_.vertices(): the centres
     RadialInterpolant interpolant_;
     BoundaryCorrection correction_;
@@ -126,8 +127,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Spread> rbf_spread(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options,
-                                   const std::vector<Index>& centres)
+std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                 const RbfOptions& options, const std::vector<Index>& centres)
 {
     return std::make_unique<RbfSpread>(mesh, held, options, centres);
 }

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/radial.h"
-#include "libmorph/weights/spread.h"
 
 #include <memory>
 #include <vector>
 
 namespace morph {
 
-/// How rbf_spread() interpolates.
+/// How rbf_extension() interpolates.
 struct RbfOptions {
     RadialFunction function = RadialFunction::wendland_c2;
     double support = 0; ///< support radius, length unit of the mesh; 0: default_support()
@@ -22,7 +22,7 @@ struct RbfOptions {
 /// The farther the functions reach, the farther out a move is spread and the fewer elements it inverts, but
 /// the worse conditioned the system is, by (reach / spacing)^3 for Wendland's C2. With this one airfoils in
 /// tests/data turn by 120 degrees in one step without an inverted element; with half of it they do not.
-double default_support(const Mesh& mesh, const HeldBoundary& held);
+double default_support(const Mesh& mesh, const DirichletBoundary& held);
 inline constexpr double kSupportFactor = 10;
 
 /// Radial basis functions with their centres at held vertices [de Boer, van der Schoot and Bijl 2007,
@@ -39,13 +39,14 @@ inline constexpr double kSupportFactor = 10;
 /// that. So the result is exact on the boundary, smooth, and linear in the values.
 ///
 /// @param centres  vertices, each a held one; empty: all of them
-/// @throws InputError   as HeldVertices; a centre is not held or given twice, two lie at the same place, or
+/// @throws InputError   as UniqueDirichletVertices; a centre is not held or given twice, two lie at the same place, or
 ///                      there are more than kMostCentres; with linear terms all on a line; thin_plate without
 ///                      linear terms; a support radius that is negative or not finite; a mesh without extent
-/// @throws SolverError  the system is singular even with a multiple of the identity added; spread() throws it
+/// @throws SolverError  the system is singular even with a multiple of the identity added; extend() throws it
 ///                      when a smooth function that reaches over many centres misses values that jump
-std::unique_ptr<Spread> rbf_spread(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options = {},
-                                   const std::vector<Index>& centres = {});
+std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                 const RbfOptions& options = {},
+                                                 const std::vector<Index>& centres = {});
 inline constexpr Index kMostCentres = 6000; // 288 MB, twice while it is factored
 
 } // namespace morph

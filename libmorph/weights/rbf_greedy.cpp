@@ -1,7 +1,7 @@
 #include "libmorph/weights/rbf_greedy.h"
 
 #include "libmorph/core/error.h"
-#include "libmorph/weights/held_edges.h"
+#include "libmorph/weights/boundary_segments.h"
 #include "libmorph/weights/rbf_setup.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void require_valid(const GreedyOptions& greedy)
 /// Chooses among the rows of the held vertices.
 class GreedyChoice {
 public:
-    GreedyChoice(const Mesh& mesh, const HeldVertices& held, Matrix values)
+    GreedyChoice(const Mesh& mesh, const UniqueDirichletVertices& held, Matrix values)
         : mesh_(mesh), vertices_(held.vertices()), values_(std::move(values)),
           positions_(held_points(mesh, held)), along_(vertices_.size()), chosen_(vertices_.size())
     {
@@ -118,12 +118,12 @@ private:
 
 } // namespace
 
-std::vector<Index> greedy_centres(const Mesh& mesh, const HeldBoundary& held, const Matrix& values,
+std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& held, const Matrix& values,
                                   const RbfOptions& options, const GreedyOptions& greedy)
 {
     require_valid(greedy);
     const double support = support_radius(mesh, held, options);
-    const HeldVertices vertices(mesh, held);
+    const UniqueDirichletVertices vertices(mesh, held);
     const Matrix joined = vertices.join(values);
     if (joined.rows() == 0)
         throw InputError("no vertex is held: radial functions have no centres");

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/rbf.h"
-#include "libmorph/weights/spread.h"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ struct GreedyOptions {
     Index most_centres = 4000; ///< at most kMostCentres
 };
 
-/// Held vertices that interpolate given values to a tolerance, as centres for rbf_spread() [greedy choice:
+/// Held vertices that interpolate given values to a tolerance, as centres for rbf_extension() [greedy choice:
 /// Rendall and Allen 2009, Journal of Computational Physics 228, 6231-6249].
 ///
 /// From a few that span the mesh on, each round adds the vertices where the error is largest: to keep the
@@ -23,9 +23,9 @@ struct GreedyOptions {
 ///
 /// @param values  k x c, in the order of held.vertices
 /// @return vertices, ascending
-/// @throws InputError   as rbf_spread() and HeldVertices::join(); a tolerance that is not positive
-/// @throws SolverError  as rbf_spread(); most_centres are not enough
-std::vector<Index> greedy_centres(const Mesh& mesh, const HeldBoundary& held, const Matrix& values,
+/// @throws InputError   as rbf_extension() and UniqueDirichletVertices::join(); a tolerance that is not positive
+/// @throws SolverError  as rbf_extension(); most_centres are not enough
+std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& held, const Matrix& values,
                                   const RbfOptions& options = {}, const GreedyOptions& greedy = {});
 
 } // namespace morph

@@ -46,7 +46,7 @@ void require_distinct_places(const Mesh& mesh, const std::vector<Index>& vertice
 
 } // namespace
 
-double default_support(const Mesh& mesh, const HeldBoundary& held)
+double default_support(const Mesh& mesh, const DirichletBoundary& held)
 {
     std::vector<Index> moving;
     for (const auto& edge : held.moving_edges)
@@ -56,7 +56,7 @@ double default_support(const Mesh& mesh, const HeldBoundary& held)
     return body > 0 ? std::min(kSupportFactor * body, whole) : whole;
 }
 
-double support_radius(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options)
+double support_radius(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options)
 {
     if (!(options.support >= 0 && std::isfinite(options.support)))
         throw InputError("the support radius of the radial functions is " + number_text(options.support) +

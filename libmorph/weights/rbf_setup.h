@@ -8,8 +8,8 @@
 namespace morph {
 
 /// The support radius that @p options mean, which are checked.
-/// @throws InputError  as rbf_spread()
-double support_radius(const Mesh& mesh, const HeldBoundary& held, const RbfOptions& options);
+/// @throws InputError  as rbf_extension()
+double support_radius(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options);
 
 /// The interpolant with its centres at the given vertices.
 /// @throws InputError, SolverError  as RadialInterpolant; two vertices at the same place

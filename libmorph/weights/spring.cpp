@@ -1,9 +1,9 @@
 #include "libmorph/weights/spring.h"
 
 #include "libmorph/core/error.h"
-#include "libmorph/numerics/dirichlet.h"
-#include "libmorph/weights/element_spread.h"
-#include "libmorph/weights/held_vertices.h"
+#include "libmorph/numerics/dirichlet_laplacian.h"
+#include "libmorph/weights/energy_extension.h"
+#include "libmorph/weights/unique_dirichlet_vertices.h"
 
 #include <cmath>
 #include <string>
@@ -40,15 +40,15 @@ std::vector<WeightedEdge> springs(const Mesh& mesh, const std::vector<Index>& re
     return edges;
 }
 
-class SpringSpread final : public Spread {
+class SpringSpread final : public BoundaryExtension {
 public:
-    SpringSpread(const Mesh& mesh, const HeldBoundary& held, SpringStiffness stiffness)
+    SpringSpread(const Mesh& mesh, const DirichletBoundary& held, SpringStiffness stiffness)
         : held_(mesh, held),
           problem_(points(mesh), springs(mesh, held_.representatives(), stiffness), held_.vertices())
     {
     }
 
-    Matrix spread(const Matrix& values) const override
+    Matrix extend(const Matrix& values) const override
     {
         const Matrix joined = held_.join(values);
         Matrix h = problem_.solve(joined);
@@ -57,8 +57,8 @@ public:
     }
 
 private:
-    HeldVertices held_;
-    DirichletProblem problem_;
+    UniqueDirichletVertices held_;
+    DirichletLaplacian problem_;
 };
 
 /// One corner of an element: a vertex between its two neighbours.
@@ -98,7 +98,7 @@ Change height_change(const Corner& c)
 }
 
 /// Add @p spring (change)^2 / 2 to the energy of the element.
-void add_corner(const ElementPoints& element, int i, const Change& change, double spring, PatchMatrix& Q)
+void add_corner(const ElementPoints& element, int i, const Change& change, double spring, ElementMatrix& Q)
 {
     const int n = element.corners;
     Eigen::Matrix2Xd gradient = Eigen::Matrix2Xd::Zero(2, n);
@@ -121,7 +121,7 @@ double ball_stiffness(const Corner& c, SpringStiffness stiffness)
 }
 
 /// The edge from corner i to the next; the element beside it has the other half.
-void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, PatchMatrix& Q)
+void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, ElementMatrix& Q)
 {
     const Eigen::Vector2d edge = element.next(i) - element.at[static_cast<std::size_t>(i)];
     const Eigen::Vector2d along = edge.normalized();
@@ -131,15 +131,16 @@ void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, Pa
 
 } // namespace
 
-std::unique_ptr<Spread> spring_spread(const Mesh& mesh, const HeldBoundary& held, SpringStiffness stiffness)
+std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                    SpringStiffness stiffness)
 {
     return std::make_unique<SpringSpread>(mesh, held, stiffness);
 }
 
-std::unique_ptr<VectorSpread> braced_spring_spread(const Mesh& mesh, const HeldBoundary& held,
-                                                   SpringStiffness stiffness, SpringBracing bracing)
+std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                          SpringStiffness stiffness, SpringBracing bracing)
 {
-    const auto energy = [&](const ElementPoints& element, PatchMatrix& Q) {
+    const auto energy = [&](const ElementPoints& element, ElementMatrix& Q) {
         for (int i = 0; i < element.corners; ++i) {
             const Corner corner = corner_of(element, i);
             if (!(corner.twice_area != 0))
@@ -154,7 +155,7 @@ std::unique_ptr<VectorSpread> braced_spring_spread(const Mesh& mesh, const HeldB
                 add_corner(element, i, height_change(corner), ball_stiffness(corner, stiffness), Q);
         }
     };
-    return std::make_unique<ElementSpread>(mesh, held, energy);
+    return std::make_unique<EnergyExtension>(mesh, held, energy);
 }
 
 } // namespace morph

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
-#include "libmorph/weights/vector_spread.h"
+#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/coupled_extension.h"
 
 #include <memory>
 
@@ -29,7 +29,8 @@ enum class SpringBracing {
 /// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; an edge has no length
 /// @throws SolverError  the system is singular
-std::unique_ptr<Spread> spring_spread(const Mesh& mesh, const HeldBoundary& held, SpringStiffness stiffness);
+std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                    SpringStiffness stiffness);
 
 /// Springs along the edges that pull along them only, and a bracing at each corner of each element: torsional
 /// springs [Farhat, Degand, Koobus & Lesoinne 1998, Computer Methods in Applied Mechanics and Engineering
@@ -45,10 +46,10 @@ std::unique_ptr<Spread> spring_spread(const Mesh& mesh, const HeldBoundary& held
 /// Translations, and turns of everything to first order in the angle, are reproduced: no spring changes.
 /// Copies of a split vertex are one unknown; a vertex of no element stays.
 ///
-/// @throws InputError   as spring_spread(); a part of the mesh has fewer than two held vertices; a corner of
+/// @throws InputError   as spring_extension(); a part of the mesh has fewer than two held vertices; a corner of
 ///                      an element has no angle, three of its points being on a line
 /// @throws SolverError  the system is singular
-std::unique_ptr<VectorSpread> braced_spring_spread(const Mesh& mesh, const HeldBoundary& held,
-                                                   SpringStiffness stiffness, SpringBracing bracing);
+std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+                                                          SpringStiffness stiffness, SpringBracing bracing);
 
 } // namespace morph

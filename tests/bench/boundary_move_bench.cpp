@@ -29,11 +29,11 @@ constexpr double kMiB = 1024.0 * 1024.0;
 /// A ring whose whole boundary is held; the inner circle turns and gets waves.
 struct Ring {
     Mesh mesh;
-    HeldBoundary held;
+    DirichletBoundary held;
     Matrix displacement;
 
     explicit Ring(MeshData data)
-        : mesh(build_mesh((shuffle(data), std::move(data)))), held(test::held_boundary(mesh, {"inner"})),
+        : mesh(build_mesh((shuffle(data), std::move(data)))), held(test::dirichlet_boundary(mesh, {"inner"})),
           displacement(test::boundary_displacement(mesh, held, [](double x, double y) {
               const double angle = std::atan2(y, x);
               const double wave = 0.01 * std::sin(20 * angle) + 0.0005 * std::sin(400 * angle);
@@ -101,7 +101,8 @@ void BM_RbfFromCentres(benchmark::State& state)
 {
     const Ring ring = fine_ring();
     const std::vector<Index> chosen = centres(ring);
-    measure(state, [&] { return rbf_spread(ring.mesh, ring.held, {}, chosen)->spread(ring.displacement); });
+    measure(state,
+            [&] { return rbf_extension(ring.mesh, ring.held, {}, chosen)->extend(ring.displacement); });
     state.counters["centres"] = static_cast<double>(chosen.size());
 }
 BENCHMARK(BM_RbfFromCentres)->Unit(benchmark::kMillisecond)->UseManualTime()->MeasureProcessCPUTime();
@@ -109,21 +110,21 @@ BENCHMARK(BM_RbfFromCentres)->Unit(benchmark::kMillisecond)->UseManualTime()->Me
 void BM_RbfAllCentres(benchmark::State& state)
 {
     const Ring r = ring(state);
-    measure(state, [&] { return rbf_spread(r.mesh, r.held)->spread(r.displacement); });
+    measure(state, [&] { return rbf_extension(r.mesh, r.held)->extend(r.displacement); });
 }
 BENCHMARK(BM_RbfAllCentres)->Apply(every_size);
 
 void BM_InverseDistanceOfTheBoundary(benchmark::State& state)
 {
     const Ring r = ring(state);
-    measure(state, [&] { return idw_spread(r.mesh, r.held)->spread(r.displacement); });
+    measure(state, [&] { return idw_extension(r.mesh, r.held)->extend(r.displacement); });
 }
 BENCHMARK(BM_InverseDistanceOfTheBoundary)->Apply(every_size);
 
 void BM_Damping(benchmark::State& state)
 {
     const Ring r = ring(state);
-    measure(state, [&] { return damping_spread(r.mesh, r.held)->spread(r.displacement); });
+    measure(state, [&] { return damping_extension(r.mesh, r.held)->extend(r.displacement); });
 }
 BENCHMARK(BM_Damping)->Apply(every_size);
 
@@ -131,8 +132,8 @@ void BM_HarmonicWithRotations(benchmark::State& state)
 {
     const Ring r = ring(state);
     measure(state, [&] {
-        const auto spread = harmonic_spread(r.mesh, r.held, Diffusivity::inverse_distance);
-        return spread_with_rotations(*spread, r.mesh, r.held, r.displacement);
+        const auto extension = harmonic_extension(r.mesh, r.held, Diffusivity::inverse_distance);
+        return extend_with_rotations(*extension, r.mesh, r.held, r.displacement);
     });
 }
 BENCHMARK(BM_HarmonicWithRotations)->Apply(every_size);

@@ -2,7 +2,7 @@
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remap/conserve_cells.h"
 #include "libmorph/remap/conserve_nodes.h"
-#include "libmorph/remap/overlaps.h"
+#include "libmorph/remap/supermesh.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/peak_memory.h"
 
@@ -66,10 +66,10 @@ void BM_OverlapsOnly(benchmark::State& state)
     std::size_t pairs = 0;
     for (auto _ : state) {
         const Locator locator(source);
-        const Overlaps overlaps(locator, target, Cut::triangles);
+        const Supermesh overlaps(locator, target, Cut::triangles);
         pairs = 0;
         overlaps.visit(0, static_cast<std::size_t>(element_count(target)),
-                       [&](const CoveredPiece& piece) { pairs += piece.covers.size(); });
+                       [&](const SupermeshCell& piece) { pairs += piece.covers.size(); });
     }
     state.counters["pairs/element"] = static_cast<double>(pairs) / static_cast<double>(state.range(0));
 }

@@ -65,7 +65,7 @@ void BM_pull_points(benchmark::State& state)
         vertices.push_back(ring.inner[i * ring.inner.size() / 5]);
     const Matrix wanted = 0.1 * Matrix::Random(5, 2);
     for (auto _ : state) {
-        const CarriedPoints pulled = carried_vertices(ring.weights, points(ring.mesh), vertices);
+        const ControlledPoints pulled = controlled_vertices(ring.weights, points(ring.mesh), vertices);
         benchmark::DoNotOptimize(pull_points(pulled, wanted, Matrix::Zero(kControlPoints, 2)));
     }
 }
@@ -80,7 +80,7 @@ void satisfy(benchmark::State& state, Bound bound)
     for (auto _ : state) {
         const Matrix wanted = 0.1 * Matrix::Random(kControlPoints, 2);
         ConstraintSet set;
-        set.boundaries.push_back({"inner", carried_vertices(ring.weights, points(ring.mesh), ring.inner)});
+        set.boundaries.push_back({"inner", controlled_vertices(ring.weights, points(ring.mesh), ring.inner)});
         set.areas.push_back({"area", 0});
         for (Index i = 0; i < kStations; ++i)
             set.thicknesses.push_back(

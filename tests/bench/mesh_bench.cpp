@@ -85,7 +85,7 @@ void BM_ToData(benchmark::State& state)
 {
     const Mesh mesh = build_mesh(input(state));
     for (auto _ : state) {
-        const MeshData data = to_data(mesh);
+        const MeshData data = to_mesh_data(mesh);
         benchmark::DoNotOptimize(data.points.data());
     }
 }

@@ -4,7 +4,7 @@
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/remesh.h"
-#include "libmorph/remesh/wanted_size.h"
+#include "libmorph/remesh/target_size.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/surfaces.h"
@@ -44,13 +44,13 @@ void count(benchmark::State& state, const MeshData& data)
 Mesh airfoil_like(Index vertices)
 {
     const Mesh ring = build_mesh(triangulated_annulus(vertices, Order::shuffled));
-    return build_mesh(remesh(ring, own_sizes(ring)).data);
+    return build_mesh(remesh(ring, current_sizes(ring)).data);
 }
 
 void BM_RemeshRing(benchmark::State& state, Index vertices, double scale)
 {
     const Mesh mesh = airfoil_like(vertices);
-    const Eigen::VectorXd sizes = scale * own_sizes(mesh);
+    const Eigen::VectorXd sizes = scale * current_sizes(mesh);
     MeshData made;
     for (auto _ : state)
         made = remesh(mesh, sizes).data;

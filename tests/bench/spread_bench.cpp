@@ -51,7 +51,7 @@ struct Ring {
     }
 
     Mesh mesh;
-    HeldBoundary held;
+    DirichletBoundary held;
 };
 
 template <typename Run>
@@ -72,39 +72,39 @@ void measure(benchmark::State& state, const Run& run)
 
 auto harmonic(const Ring& ring)
 {
-    return harmonic_spread(ring.mesh, ring.held, Diffusivity::inverse_distance);
+    return harmonic_extension(ring.mesh, ring.held, Diffusivity::inverse_distance);
 }
 
 auto spring(const Ring& ring)
 {
-    return spring_spread(ring.mesh, ring.held, SpringStiffness::inverse_length_squared);
+    return spring_extension(ring.mesh, ring.held, SpringStiffness::inverse_length_squared);
 }
 
 auto torsion(const Ring& ring)
 {
-    return braced_spring_spread(ring.mesh, ring.held, SpringStiffness::inverse_length_squared,
-                                SpringBracing::torsion);
+    return braced_spring_extension(ring.mesh, ring.held, SpringStiffness::inverse_length_squared,
+                                   SpringBracing::torsion);
 }
 
 auto ball_vertex(const Ring& ring)
 {
-    return braced_spring_spread(ring.mesh, ring.held, SpringStiffness::inverse_length_squared,
-                                SpringBracing::ball_vertex);
+    return braced_spring_extension(ring.mesh, ring.held, SpringStiffness::inverse_length_squared,
+                                   SpringBracing::ball_vertex);
 }
 
 auto elasticity(const Ring& ring)
 {
-    return elastic_spread(ring.mesh, ring.held, {});
+    return elastic_extension(ring.mesh, ring.held, {});
 }
 
 auto biharmonic(const Ring& ring)
 {
-    return biharmonic_spread(ring.mesh, ring.held);
+    return biharmonic_extension(ring.mesh, ring.held);
 }
 
 auto conformal_biharmonic(const Ring& ring)
 {
-    return conformal_biharmonic_spread(ring.mesh, ring.held);
+    return conformal_biharmonic_extension(ring.mesh, ring.held);
 }
 
 template <auto Make>
@@ -118,9 +118,9 @@ template <auto Make>
 void BM_Move(benchmark::State& state)
 {
     const Ring ring(state);
-    const auto spread = Make(ring);
+    const auto extension = Make(ring);
     const Points2 turn = ring.turn();
-    measure(state, [&] { return spread->spread(turn); });
+    measure(state, [&] { return extension->extend(turn); });
 }
 
 BENCHMARK(BM_Factor<harmonic>)->Apply(every_size);

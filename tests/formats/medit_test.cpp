@@ -233,8 +233,8 @@ TEST(Medit, CarriesCornersRidgesAndWhatIsRequired)
                               "\nRequiredQuadrilaterals\n1\n1\n";
     const std::string text = replaced(kSmall, "\nEnd\n", lists + "\nEnd\n");
     const MeshData mesh = read_bytes(text, "medit");
-    EXPECT_EQ(mesh.carried.size(), 6U);
-    EXPECT_EQ(mesh.carried.at(1).what, "1 Ridges");
+    EXPECT_EQ(mesh.sections.size(), 6U);
+    EXPECT_EQ(mesh.sections.at(1).what, "1 Ridges");
     EXPECT_EQ(written(mesh, "medit", {.binary = false}), text);
 }
 
@@ -257,7 +257,7 @@ TEST(Medit, CarriesTheReferencesOfVertices)
 {
     const std::string text = replaced(kSmall, "2 0.5 0\n", "2 0.5 13\n");
     const MeshData mesh = read_bytes(text, "medit");
-    EXPECT_EQ(mesh.carried.at(0).what, "the references of 5 vertices");
+    EXPECT_EQ(mesh.sections.at(0).what, "the references of 5 vertices");
     EXPECT_EQ(written(mesh, "medit", {.binary = false}), text);
     EXPECT_EQ(difference(read_bytes(written(mesh, "medit"), "medit"), mesh), "");
 }

@@ -23,7 +23,7 @@ const std::string kBox = "FFD_TAG= BOX\nFFD_DEGREE_I= 2\nFFD_DEGREE_J= 1\nFFD_BL
 TEST(Su2Ffd, ReadsTheBoxesOfARealMesh)
 {
     const std::string path = test::data_path("meshes/naca0012_multiffd.su2");
-    const auto boxes = su2_ffd_boxes(read_mesh_data(path).carried, path);
+    const auto boxes = su2_ffd_boxes(read_mesh_data(path).sections, path);
     ASSERT_EQ(boxes.size(), 2U);
     EXPECT_EQ(boxes[0].tag, "UPPER");
     EXPECT_EQ(boxes[1].tag, "LOWER");

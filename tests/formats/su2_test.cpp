@@ -43,7 +43,7 @@ const std::string kSquare = "NDIME= 2\n"         // 1
 std::vector<std::string> carried_texts(const MeshData& mesh)
 {
     std::vector<std::string> texts;
-    for (const CarriedText& carried : mesh.carried)
+    for (const OpaqueSection& carried : mesh.sections)
         texts.push_back(carried.text);
     return texts;
 }
@@ -51,7 +51,7 @@ std::vector<std::string> carried_texts(const MeshData& mesh)
 std::vector<std::string> carried_things(const MeshData& mesh)
 {
     std::vector<std::string> things;
-    for (const CarriedText& carried : mesh.carried)
+    for (const OpaqueSection& carried : mesh.sections)
         things.push_back(carried.what);
     return things;
 }
@@ -67,7 +67,7 @@ TEST(Su2, ReadsASquareOfTwoTriangles)
     ASSERT_EQ(mesh.markers.size(), 1U);
     EXPECT_EQ(mesh.markers[0].name, "body");
     EXPECT_THAT(mesh.markers[0].edges, ElementsAre(std::array<Index, 2>{0, 1}, std::array<Index, 2>{1, 2}));
-    EXPECT_THAT(mesh.carried, IsEmpty());
+    EXPECT_THAT(mesh.sections, IsEmpty());
 }
 
 TEST(Su2, ReadsTheSameSquareInEverySpellingFoundInTheWild)
@@ -99,7 +99,7 @@ TEST(Su2, ReadsTheSameSquareInEverySpellingFoundInTheWild)
     for (const std::string& text : spellings) {
         const MeshData mesh = read_bytes(text, "su2");
         EXPECT_EQ(difference(mesh, square), "") << text;
-        EXPECT_THAT(mesh.carried, IsEmpty()) << text;
+        EXPECT_THAT(mesh.sections, IsEmpty()) << text;
     }
 }
 
@@ -201,7 +201,7 @@ TEST(Su2, WarnsOfFieldsAndOfTextOfOtherFormatsOnly)
 {
     MeshData mesh = test::uneven_square(2);
     mesh.fields.push_back({"h", FieldLocation::vertex, Matrix::Zero(9, 1)});
-    mesh.carried = {{"su2", "2 FFD box(es)", "FFD_NBOX= 2\n"}, {"gmsh", "a view", "$View\n"}};
+    mesh.sections = {{"su2", "2 FFD box(es)", "FFD_NBOX= 2\n"}, {"gmsh", "a view", "$View\n"}};
     const test::TemporaryFolder folder;
     const std::string path = folder.file("out.su2");
     EXPECT_THAT(write_mesh_data(mesh, path), ElementsAre(path + ": su2 cannot hold 1 nodal field(s) h",

@@ -88,10 +88,10 @@ TEST(Su2Zones, AreTakenAloneByNumberOrName)
         EXPECT_THAT(mesh.groups, IsEmpty());
         ASSERT_EQ(mesh.markers.size(), 2U);
         EXPECT_EQ(mesh.markers[0].name, "wall");
-        EXPECT_EQ(mesh.carried.size(), 1U);
+        EXPECT_EQ(mesh.sections.size(), 1U);
     }
     EXPECT_EQ(read_with("NDIME= 2\nNELEM= 0\nNPOIN= 0\n", zone("1")).points.rows(), 0);
-    EXPECT_EQ(read_bytes("NZONE= 1\nIZONE= 1\nNDIME= 2\nNELEM= 0\nNPOIN= 0\n", "su2").carried.size(), 0U);
+    EXPECT_EQ(read_bytes("NZONE= 1\nIZONE= 1\nNDIME= 2\nNELEM= 0\nNPOIN= 0\n", "su2").sections.size(), 0U);
 }
 
 TEST(Su2Zones, FaultsAreNamedWithTheLineInTheWholeFile)
@@ -205,11 +205,11 @@ TEST(Su2Groups, StandWhereSu2DoesNotLookForMarkers)
 {
     MeshData mesh = test::with_groups(test::bare(test::quad_square(1)));
     mesh.markers = {{"a", {{0, 1}}}};
-    mesh.carried = {
+    mesh.sections = {
         {"su2", "1 SEND_RECEIVE marker(s)", "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 0\nSEND_RECV= 1\n"}};
     const std::string text = written(mesh, "su2");
     const std::string behind = text.substr(text.find("NMARK="));
-    EXPECT_EQ(behind, "NMARK= 2\nMARKER_TAG= a\nMARKER_ELEMS= 1\n3\t0\t1\n" + mesh.carried[0].text);
+    EXPECT_EQ(behind, "NMARK= 2\nMARKER_TAG= a\nMARKER_ELEMS= 1\n3\t0\t1\n" + mesh.sections[0].text);
 }
 
 TEST(Su2Groups, OfALargeMeshRunOnOverManyLines)

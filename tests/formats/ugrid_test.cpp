@@ -149,14 +149,14 @@ TEST(Ugrid, NamesItsSurfacesInTheFileThatFun3dReads)
     const test::TemporaryFolder folder;
     MeshData mesh = test::square_and_triangle(0);
     mesh.groups = {{"upper wing", {0}}, {"3", {1}}};
-    mesh.carried = {{"ugrid", "the boundary conditions of 1 group(s)", "4000 upper%20wing\n"}};
+    mesh.sections = {{"ugrid", "the boundary conditions of 1 group(s)", "4000 upper%20wing\n"}};
     write_mesh_data(mesh, folder.file("a.lb8.ugrid"));
     EXPECT_THAT(folder.names(), ElementsAre("a.lb8.ugrid", "a.mapbc"));
     EXPECT_EQ(test::read_text(folder.file("a.mapbc")), "2\n1 4000 upper%20wing\n3 0 3\n# order 1q1t\n");
     const MeshData again = read_mesh_data(folder.file("a.lb8.ugrid"));
     write_mesh_data(again, folder.file("b.ugrid"));
     EXPECT_EQ(test::read_text(folder.file("b.mapbc")), test::read_text(folder.file("a.mapbc")));
-    EXPECT_EQ(again.carried.at(0).what, "the boundary conditions of 1 group(s)");
+    EXPECT_EQ(again.sections.at(0).what, "the boundary conditions of 1 group(s)");
 }
 
 TEST(Ugrid, ReadsOddButLegalNames)

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const morph::Format& format = morph::find_format("", MORPH_FUZZ_FORMAT);
     try {
         morph::MeshData data = format.read({"fuzz", {reinterpret_cast<const char*>(bytes), size}});
-        morph::to_data(morph::build_mesh(std::move(data)));
+        morph::to_mesh_data(morph::build_mesh(std::move(data)));
     } catch (const morph::InputError&) { // what broken files deserve
     }
     return 0;

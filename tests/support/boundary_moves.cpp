@@ -22,9 +22,9 @@ Eigen::RowVector2d moved_by(const Move& move, const Mesh& mesh, Index v)
 
 } // namespace
 
-HeldBoundary held_boundary(const Mesh& mesh, const std::vector<std::string>& moving)
+DirichletBoundary dirichlet_boundary(const Mesh& mesh, const std::vector<std::string>& moving)
 {
-    HeldBoundary held;
+    DirichletBoundary held;
     std::set<Index> known;
     for (const VertexHandle v : mesh.kernel.vertices())
         if (mesh.kernel.is_boundary(v) && !mesh.kernel.is_isolated(v) &&
@@ -37,7 +37,7 @@ HeldBoundary held_boundary(const Mesh& mesh, const std::vector<std::string>& mov
     return held;
 }
 
-std::vector<bool> is_moving(const Mesh& mesh, const HeldBoundary& held)
+std::vector<bool> is_moving(const Mesh& mesh, const DirichletBoundary& held)
 {
     std::set<Index> moving;
     for (const auto& edge : held.moving_edges)
@@ -59,7 +59,7 @@ Move turn(double degrees, std::array<double, 2> centre)
     };
 }
 
-Matrix boundary_displacement(const Mesh& mesh, const HeldBoundary& held, const Move& move)
+Matrix boundary_displacement(const Mesh& mesh, const DirichletBoundary& held, const Move& move)
 {
     const std::vector<bool> moving = is_moving(mesh, held);
     Matrix displacement = Matrix::Zero(static_cast<Index>(held.vertices.size()), 2);

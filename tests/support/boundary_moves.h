@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <array>
 #include <functional>
@@ -11,10 +11,10 @@
 namespace morph::test {
 
 /// Hold the whole boundary of a mesh; the named markers move.
-HeldBoundary held_boundary(const Mesh& mesh, const std::vector<std::string>& moving);
+DirichletBoundary dirichlet_boundary(const Mesh& mesh, const std::vector<std::string>& moving);
 
 /// For every held vertex whether it is the end of a moving edge, by file number.
-std::vector<bool> is_moving(const Mesh& mesh, const HeldBoundary& held);
+std::vector<bool> is_moving(const Mesh& mesh, const DirichletBoundary& held);
 
 /// A displacement of the plane.
 using Move = std::function<Eigen::RowVector2d(double x, double y)>;
@@ -23,7 +23,7 @@ using Move = std::function<Eigen::RowVector2d(double x, double y)>;
 Move turn(double degrees, std::array<double, 2> centre);
 
 /// k x 2: @p move at the held vertices that move, 0 at the others.
-Matrix boundary_displacement(const Mesh& mesh, const HeldBoundary& held, const Move& move);
+Matrix boundary_displacement(const Mesh& mesh, const DirichletBoundary& held, const Move& move);
 
 /// n x 2: @p move at every vertex.
 Matrix displacement_everywhere(const Mesh& mesh, const Move& move);

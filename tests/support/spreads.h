@@ -2,7 +2,7 @@
 
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/quality/quality.h"
-#include "libmorph/weights/spread.h"
+#include "libmorph/weights/boundary_extension.h"
 
 #include <Eigen/Geometry>
 
@@ -12,9 +12,9 @@
 namespace morph::test {
 
 /// The whole boundary is held, the edges of the named marker move.
-inline HeldBoundary whole_boundary(const Mesh& mesh, const std::string& moving)
+inline DirichletBoundary whole_boundary(const Mesh& mesh, const std::string& moving)
 {
-    HeldBoundary held;
+    DirichletBoundary held;
     for (const VertexHandle v : mesh.kernel.vertices())
         if (mesh.kernel.is_boundary(v))
             held.vertices.push_back(v.idx());

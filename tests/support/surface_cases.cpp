@@ -17,7 +17,7 @@ MeshData bare(MeshData mesh)
     mesh.markers.clear();
     mesh.groups.clear();
     mesh.fields.clear();
-    mesh.carried.clear();
+    mesh.sections.clear();
     return mesh;
 }
 

@@ -42,10 +42,10 @@ SparseWeights sparse(const Weights& weights)
     return {weights.columns, weights.values.sparseView()};
 }
 
-CarriedPoints nodes_on(const Curve& curve, Index count)
+ControlledPoints nodes_on(const Curve& curve, Index count)
 {
     const Points2& P = curve.definition().control_points;
-    CarriedPoints nodes{Points::Zero(count, 3), {count, static_cast<Index>(P.rows())}};
+    ControlledPoints nodes{Points::Zero(count, 3), {count, static_cast<Index>(P.rows())}};
     std::vector<Eigen::Triplet<double>> entries;
     for (Index i = 0; i < count; ++i) {
         const BasisRow row = curve.basis(static_cast<double>(i) / count);

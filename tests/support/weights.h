@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/curve.h"
-#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/controlled_points.h"
 
 namespace morph::test {
 
@@ -15,7 +15,7 @@ SparseWeights random_sparse_weights(Index rows, Index columns);
 SparseWeights sparse(const Weights& weights);
 
 /// Nodes at equal steps of u on a closed curve, carried by its control points.
-CarriedPoints nodes_on(const Curve& curve, Index count);
+ControlledPoints nodes_on(const Curve& curve, Index count);
 
 /// Closed cubic curve with @p control_points points on the ellipse x^2 + (y / height)^2 = 1.
 Curve ellipse_curve(Index control_points, double height);

@@ -63,9 +63,9 @@ void expect_same_but_for_points(const MeshData& a, const MeshData& b)
         EXPECT_EQ(a.markers[i].name, b.markers[i].name);
         EXPECT_EQ(a.markers[i].edges, b.markers[i].edges);
     }
-    ASSERT_EQ(a.carried.size(), b.carried.size());
-    for (std::size_t i = 0; i < a.carried.size(); ++i)
-        EXPECT_EQ(a.carried[i].text, b.carried[i].text);
+    ASSERT_EQ(a.sections.size(), b.sections.size());
+    for (std::size_t i = 0; i < a.sections.size(); ++i)
+        EXPECT_EQ(a.sections[i].text, b.sections[i].text);
 }
 
 class MorphDeformRealMesh : public ::testing::TestWithParam<RealCase> {

@@ -87,8 +87,8 @@ TEST(MorphRemesh, MeshesEveryPlanarRealMeshAnew)
             EXPECT_FALSE(after.markers[i].edges.empty());
         }
         // Chords of other nodes on the same curves: a polygon of 60 edges has 0.2 % less than its circle.
-        const double area = planar_area(to_data(before));
-        EXPECT_NEAR(planar_area(to_data(after)), area, 2e-3 * area) << path;
+        const double area = planar_area(to_mesh_data(before));
+        EXPECT_NEAR(planar_area(to_mesh_data(after)), area, 2e-3 * area) << path;
         if (const nlohmann::json& quality = report["triangle_quality"]["after"]; !quality.is_null()) {
             EXPECT_GE(quality["min"].get<double>(), 0.5) << path;
             EXPECT_GE(quality["mean"].get<double>(), 0.95) << path;

@@ -12,7 +12,7 @@ namespace morph::tools {
 namespace {
 
 /// Where the nodes of the boundaries are against where their moved curves want them, residuals kept.
-void measure_boundary(const Mesh& mesh, const PlacedCase& placed, ComparisonRow& row)
+void measure_boundary(const Mesh& mesh, const PlacedBoundaries& placed, ComparisonRow& row)
 {
     double squares = 0;
     std::size_t nodes = 0;
@@ -52,7 +52,7 @@ std::string padded(const std::string& text, std::size_t width, bool left)
 
 } // namespace
 
-ComparisonRow compare(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file,
+ComparisonRow compare(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file,
                       const CompareMethod& method)
 {
     ComparisonRow row;

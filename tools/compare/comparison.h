@@ -30,7 +30,7 @@ struct ComparedMove {
 };
 
 /// Move the mesh by a method and measure what comes out.
-ComparisonRow compare(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file,
+ComparisonRow compare(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file,
                       const CompareMethod& method);
 
 /// One column of the table: what it is called, and a row's entry.

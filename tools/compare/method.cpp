@@ -48,7 +48,7 @@ void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, Mov
 template <typename Choose>
 auto carried_by(Choose choose)
 {
-    return [choose](const Mesh& mesh, const PlacedCase&, CaseFile file) {
+    return [choose](const Mesh& mesh, const PlacedBoundaries&, CaseFile file) {
         choose(file.deform);
         file.lattice.reset();
         Stopwatch watch;
@@ -75,7 +75,7 @@ auto by_harmonic(const std::string& diffusivity, bool rotations = false)
 }
 
 /// A lattice around all bodies with half their size to spare, for a case that has none.
-LatticeEntry lattice_around(const PlacedCase& placed)
+LatticeEntry lattice_around(const PlacedBoundaries& placed)
 {
     constexpr double kMargin = 0.5;
     Eigen::AlignedBox2d box;
@@ -96,7 +96,7 @@ LatticeEntry lattice_around(const PlacedCase& placed)
 
 /// The case with its lattice, or one around its bodies; what displacements the lattice has are the fit's to
 /// find.
-CaseFile with_lattice(CaseFile file, const PlacedCase& placed, int continuity)
+CaseFile with_lattice(CaseFile file, const PlacedBoundaries& placed, int continuity)
 {
     file.deform.method = "ffd";
     if (!file.lattice) {
@@ -107,7 +107,7 @@ CaseFile with_lattice(CaseFile file, const PlacedCase& placed, int continuity)
 }
 
 /// One lattice holds body and mesh, fitted to the moved curves.
-MovedMesh move_ffd(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
+MovedMesh move_ffd(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file)
 {
     constexpr int kSmooth = 1; // at the faces of the box
     const CaseFile ffd = with_lattice(file, placed, kSmooth);
@@ -123,7 +123,7 @@ MovedMesh move_ffd(const Mesh& mesh, const PlacedCase& placed, const CaseFile& f
 /// The lattice moves the boundary alone, fitted to the moved curves; another method carries the mesh.
 auto by_lattice_and(const std::string& method)
 {
-    return [method](const Mesh& mesh, const PlacedCase& placed, const CaseFile& file) {
+    return [method](const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file) {
         CaseFile ffd = with_lattice(file, placed, -1);
         Stopwatch watch;
         CaseMotion fitted = prepare_motion(mesh, ffd);
@@ -146,7 +146,7 @@ auto by_lattice_and(const std::string& method)
 CompareMethod untangled(const CompareMethod& method)
 {
     return {method.name + kUntangled, method.description + ", then untangled",
-            [move = method.move](const Mesh& mesh, const PlacedCase& placed, const CaseFile& file) {
+            [move = method.move](const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file) {
                 MovedMesh moved = move(mesh, placed, file);
                 Mesh repaired = mesh;
                 points(repaired) = moved.positions;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/deform/moved_case.h"
+#include "tools/deform/placement.h"
 
 #include <functional>
 #include <string>
@@ -21,7 +21,7 @@ struct MovedMesh {
 struct CompareMethod {
     std::string name;
     std::string description; ///< a few words for --help
-    std::function<MovedMesh(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)> move;
+    std::function<MovedMesh(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file)> move;
 };
 
 /// Every method, in the order of the table in the source; a new one is one more row there.

@@ -127,7 +127,7 @@ Json file_info(const std::string& path, const Format& format, const MeshData& me
         info["groups"].push_back({{"name", group.name}, {"elements", group.elements.size()}});
     for (const Field& field : mesh.fields)
         info["fields"].push_back(field_info(field));
-    for (const CarriedText& carried : mesh.carried)
+    for (const OpaqueSection& carried : mesh.sections)
         info["carried"].push_back(carried.what);
     return info;
 }

@@ -6,7 +6,7 @@
 #include "libmorph/deform/rigid_layers.h"
 #include "libmorph/deform/rigid_markers.h"
 #include "libmorph/deform/slide.h"
-#include "tools/deform/spread_methods.h"
+#include "tools/deform/extension_methods.h"
 
 namespace morph::tools {
 
@@ -14,13 +14,13 @@ namespace {
 
 BoundaryMove plain_move(const DeformEntry& deform)
 {
-    return [deform](const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement) {
-        const AnySpread made = spread_method(deform).make({mesh, held, deform, displacement});
-        if (const auto* coupled = std::get_if<std::unique_ptr<VectorSpread>>(&made))
-            return Matrix((*coupled)->spread(displacement));
-        const Spread& spread = *std::get<std::unique_ptr<Spread>>(made);
-        return uses_rotations(deform) ? spread_with_rotations(spread, mesh, held, displacement)
-                                      : spread.spread(displacement);
+    return [deform](const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement) {
+        const AnyExtension made = extension_method(deform).make({mesh, held, deform, displacement});
+        if (const auto* coupled = std::get_if<std::unique_ptr<CoupledExtension>>(&made))
+            return Matrix((*coupled)->extend(displacement));
+        const BoundaryExtension& extension = *std::get<std::unique_ptr<BoundaryExtension>>(made);
+        return uses_rotations(deform) ? extend_with_rotations(extension, mesh, held, displacement)
+                                      : extension.extend(displacement);
     };
 }
 
@@ -41,24 +41,24 @@ std::vector<SlidingMarker> sliding_markers(const CaseFile& file)
 
 bool carries_boundary(const DeformEntry& deform)
 {
-    const bool coupled = deform.method != "ffd" && spread_method(deform).couples(deform);
+    const bool coupled = deform.method != "ffd" && extension_method(deform).couples(deform);
     return coupled || uses_rotations(deform) || deform.steps != 1 || !deform.slide.empty() ||
            !deform.rigid.empty();
 }
 
-HeldBoundary held_boundary(const BoundaryConditions& conditions)
+DirichletBoundary dirichlet_boundary(const BoundaryConditions& conditions)
 {
     return {conditions.held.vertices, conditions.moving_edges, conditions.marker_edges};
 }
 
-BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file)
+BoundaryCarry boundary_carry(const PlacedBoundaries& placed, const CaseFile& file)
 {
-    if (uses_rotations(file.deform) && spread_method(file.deform).couples(file.deform))
+    if (uses_rotations(file.deform) && extension_method(file.deform).couples(file.deform))
         throw InputError(file.path + ":" + std::to_string(file.deform.line) +
                          ": [deform] rotations go with "
                          "methods that move x and y apart; \"" +
                          file.deform.method + "\" as it is set moves them together");
-    BoundaryCarry carry{held_boundary(placed.conditions), placed.conditions.held.values,
+    BoundaryCarry carry{dirichlet_boundary(placed.conditions), placed.conditions.held.values,
                         plain_move(file.deform), file.deform.steps};
     std::vector<RigidLayer> layers;
     for (const RigidEntry& entry : file.deform.rigid) {

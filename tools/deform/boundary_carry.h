@@ -2,13 +2,13 @@
 
 #include "libmorph/deform/boundary_move.h"
 #include "tools/case/case_file.h"
-#include "tools/deform/moved_case.h"
+#include "tools/deform/placement.h"
 
 namespace morph::tools {
 
 /// How a case's boundary takes the mesh along where that is no product of weights and displacements.
 struct BoundaryCarry {
-    HeldBoundary held;
+    DirichletBoundary held;
     Matrix rows; ///< k x K: how the held vertices follow the control points
     BoundaryMove move;
     int steps = 1;
@@ -20,10 +20,10 @@ struct BoundaryCarry {
 bool carries_boundary(const DeformEntry& deform);
 
 /// The boundary of a case with all that [deform] asks for.
-BoundaryCarry boundary_carry(const PlacedCase& placed, const CaseFile& file);
+BoundaryCarry boundary_carry(const PlacedBoundaries& placed, const CaseFile& file);
 
 /// The held boundary of a case.
-HeldBoundary held_boundary(const BoundaryConditions& conditions);
+DirichletBoundary dirichlet_boundary(const BoundaryConditions& conditions);
 
 /// Move the vertices with their boundary.
 /// @param mesh           before the move

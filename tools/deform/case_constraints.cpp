@@ -52,9 +52,9 @@ private:
         throw InputError(place_of(file_, line) + what);
     }
 
-    CarriedPoints carried(const std::vector<Index>& vertices) const
+    ControlledPoints carried(const std::vector<Index>& vertices) const
     {
-        return carried_vertices(motion_.rows(), points(mesh_), vertices);
+        return controlled_vertices(motion_.rows(), points(mesh_), vertices);
     }
 
     /// The number of a closed boundary in the set.
@@ -97,7 +97,7 @@ private:
     void add_pulled(const PullOutcome& pull)
     {
         const std::vector<Index> vertices = named_vertices(mesh_, pull.vertices, Matrix::Zero(0, 3), "");
-        const CarriedPoints pulled = carried(vertices);
+        const ControlledPoints pulled = carried(vertices);
         set_.fixed.push_back({"[[pull]]", pulled, pulled.weights * motion_.displacements});
     }
 

@@ -30,7 +30,7 @@ std::vector<Index> named_vertices(const Mesh& mesh, const std::vector<Index>& fi
     return vertices;
 }
 
-PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, const std::vector<Index>& held,
+PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightsView weights, const std::vector<Index>& held,
                  Matrix& displacements)
 {
     std::vector<Index> pulled_vertices;
@@ -43,7 +43,7 @@ PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, con
         wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(displacements.cols());
     }
     const Pulled pulled =
-        pull_points(carried_vertices(weights, points(mesh), pulled_vertices), wanted, displacements, held);
+        pull_points(controlled_vertices(weights, points(mesh), pulled_vertices), wanted, displacements, held);
     displacements = pulled.displacements;
     PullOutcome outcome;
     for (const Index v : pulled_vertices)

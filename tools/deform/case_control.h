@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/weight_rows.h"
+#include "libmorph/weights/weights_view.h"
 #include "tools/case/case_file.h"
 
 #include <string>
@@ -23,7 +23,7 @@ struct PullOutcome {
 /// @param held           control points that keep their displacement
 /// @param displacements  K x 2 or K x 3, changed in place
 /// @throws InputError  "case.toml:12: …": a vertex that the mesh does not have
-PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightRows weights, const std::vector<Index>& held,
+PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightsView weights, const std::vector<Index>& held,
                  Matrix& displacements);
 
 /// The vertices that numbers in the file, or the nearest places, name.

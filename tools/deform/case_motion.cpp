@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/deform/apply.h"
-#include "libmorph/deform/carried_points.h"
+#include "libmorph/deform/controlled_points.h"
 #include "libmorph/deform/move_lattice.h"
 #include "tools/deform/case_constraints.h"
 
@@ -21,13 +21,13 @@ CaseMotion motion_of_lattice(const Mesh& mesh, const CaseFile& file)
     motion.lattice = place_lattice(mesh, file);
     motion.displacements = motion.lattice->displacements;
     if (!file.boundaries.empty())
-        motion.curves = place_case(mesh, file);
+        motion.curves = parametrize_boundaries(mesh, file);
     motion.weights = motion.lattice->weights;
     return motion;
 }
 
 /// Displacements of the curves' nodes as their control points want them.
-Matrix wanted_displacements(const PlacedCase& curves, std::vector<Index>& vertices)
+Matrix wanted_displacements(const PlacedBoundaries& curves, std::vector<Index>& vertices)
 {
     std::vector<Eigen::RowVector2d> wanted;
     for (std::size_t b = 0; b < curves.boundaries.size(); ++b) {
@@ -56,7 +56,7 @@ double fit_lattice(const Mesh& mesh, CaseMotion& motion)
     constexpr double kSmallest = 1e-3;
     std::vector<Index> vertices;
     const Matrix wanted = wanted_displacements(motion.curves, vertices);
-    const CarriedPoints nodes = carried_vertices(motion.rows(), points(mesh), vertices);
+    const ControlledPoints nodes = controlled_vertices(motion.rows(), points(mesh), vertices);
     Eigen::MatrixXd R(nodes.weights);
     for (const Index held : motion.held())
         R.col(held).setZero();
@@ -138,9 +138,9 @@ const std::vector<ControlPoint>& CaseMotion::columns() const
                       weights);
 }
 
-WeightRows CaseMotion::rows() const
+WeightsView CaseMotion::rows() const
 {
-    return std::visit([](const auto& filled) { return WeightRows(filled); }, weights);
+    return std::visit([](const auto& filled) { return WeightsView(filled); }, weights);
 }
 
 std::vector<Index> CaseMotion::held() const
@@ -162,7 +162,7 @@ CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::str
         motion.lattice = place_lattice(mesh, file);
         motion.curves = lattice_boundary(mesh, file, *motion.lattice);
     } else {
-        motion.curves = place_case(mesh, file);
+        motion.curves = parametrize_boundaries(mesh, file);
     }
     motion.displacements = motion.curves.displacements;
     if (carries_boundary(file.deform)) {
@@ -218,7 +218,7 @@ int apply_motion(const Mesh& mesh, const CaseFile& file, const CaseMotion& motio
 
 WeightsCheck check_weights(const CaseMotion& motion)
 {
-    const WeightRows rows = motion.rows();
+    const WeightsView rows = motion.rows();
     WeightsCheck check;
     std::vector<double> sums(static_cast<std::size_t>(rows.rows()));
     for (Eigen::Index row = 0; row < rows.rows(); ++row)

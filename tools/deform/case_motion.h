@@ -1,12 +1,12 @@
 #pragma once
 
 #include "libmorph/deform/constraints.h"
-#include "libmorph/weights/weight_rows.h"
+#include "libmorph/weights/weights_view.h"
 #include "tools/deform/boundary_carry.h"
 #include "tools/deform/case_control.h"
 #include "tools/deform/case_weights.h"
-#include "tools/deform/moved_case.h"
 #include "tools/deform/placed_lattice.h"
+#include "tools/deform/placement.h"
 
 #include <optional>
 #include <string>
@@ -17,14 +17,14 @@ namespace morph::tools {
 
 /// A case brought onto its mesh: its control points, whichever they are, and how the mesh follows them.
 struct CaseMotion {
-    PlacedCase curves; ///< boundaries on their curves; none when a lattice moves the boundary
+    PlacedBoundaries curves; ///< boundaries on their curves; none when a lattice moves the boundary
     std::optional<PlacedLattice> lattice;         ///< with [lattice]
     std::variant<Weights, SparseWeights> weights; ///< with carry those of the boundary alone
     std::optional<BoundaryCarry> carry;           ///< when the mesh does not follow by weights
     Matrix displacements;                         ///< K x 2 or K x 3, rows as the columns of the weights
 
     const std::vector<ControlPoint>& columns() const;
-    WeightRows rows() const;
+    WeightsView rows() const;
     /// Control points that must keep their displacement.
     std::vector<Index> held() const;
 };

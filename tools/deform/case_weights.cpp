@@ -4,7 +4,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/weights/weight_fields.h"
 #include "tools/deform/boundary_carry.h"
-#include "tools/deform/spread_methods.h"
+#include "tools/deform/extension_methods.h"
 
 #include <memory>
 
@@ -36,15 +36,15 @@ void set_boundary_rows(const DirichletSet& held, Matrix& values)
 
 } // namespace
 
-Weights solve_weights(const Mesh& mesh, const PlacedCase& placed, const CaseFile& file)
+Weights solve_weights(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file)
 {
-    const HeldBoundary held = held_boundary(placed.conditions);
+    const DirichletBoundary held = dirichlet_boundary(placed.conditions);
     const Matrix& values = placed.conditions.held.values;
-    const AnySpread made = spread_method(file.deform).make({mesh, held, file.deform, values});
-    return {placed.conditions.columns, std::get<std::unique_ptr<Spread>>(made)->spread(values)};
+    const AnyExtension made = extension_method(file.deform).make({mesh, held, file.deform, values});
+    return {placed.conditions.columns, std::get<std::unique_ptr<BoundaryExtension>>(made)->extend(values)};
 }
 
-Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedCase& placed)
+Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedBoundaries& placed)
 {
     const MeshData data = read_mesh_data(path);
     require_same_points(path, data, mesh);

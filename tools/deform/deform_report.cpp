@@ -137,7 +137,7 @@ void describe_repair(const DeformResult& result, Report& report)
     const UntangleResult& repair = *result.untangled;
     report.json["untangle"] = {{"tangled", result.tangled},
                                {"inverted", repair.inverted.size()},
-                               {"hopeless", repair.hopeless},
+                               {"hopeless", repair.unrepairable},
                                {"patch_vertices", repair.patch_vertices},
                                {"iterations", repair.iterations}};
     report.say("untangled: " + std::to_string(result.tangled) + " inverted elements before, " +
@@ -184,7 +184,7 @@ std::string safe_step_text(const SafeStep& safe)
 
 void describe(const DeformResult& result, const CaseMotion& motion, Report& report)
 {
-    const PlacedCase& placed = motion.curves;
+    const PlacedBoundaries& placed = motion.curves;
     ordered_json& json = report.json;
     json["method"] = result.method;
     json["diffusivity"] = result.diffusivity;

@@ -33,7 +33,7 @@ LatticeDefinition shape_of(const LatticeEntry& entry)
 Lattice su2_lattice(const Mesh& mesh, const CaseFile& file)
 {
     std::vector<std::string> tags;
-    for (const Su2FfdBox& box : su2_ffd_boxes(mesh.carried, file.mesh_file)) {
+    for (const Su2FfdBox& box : su2_ffd_boxes(mesh.sections, file.mesh_file)) {
         tags.push_back(box.tag);
         if (box.tag != file.lattice->su2_box)
             continue;
@@ -188,7 +188,7 @@ PlacedLattice place_lattice(const Mesh& mesh, const CaseFile& file)
     }
 }
 
-PlacedCase lattice_boundary(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed)
+PlacedBoundaries lattice_boundary(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed)
 {
     const std::vector<std::string> markers = lattice_markers(mesh, file, placed);
     if (markers.empty())
@@ -199,7 +199,7 @@ PlacedCase lattice_boundary(const Mesh& mesh, const CaseFile& file, const Placed
             throw InputError(place_of(file) + "moves marker '" + name + "', which is fixed as well");
     std::vector<std::string> all = fixed;
     all.insert(all.end(), markers.begin(), markers.end());
-    PlacedCase result;
+    PlacedBoundaries result;
     result.conditions = boundary_conditions(mesh, {}, all);
     result.conditions.columns = placed.weights.columns;
     DirichletSet& held = result.conditions.held;

@@ -4,7 +4,7 @@
 #include "libmorph/weights/embed.h"
 #include "libmorph/weights/weights.h"
 #include "tools/case/case_file.h"
-#include "tools/deform/moved_case.h"
+#include "tools/deform/placement.h"
 
 #include <string>
 #include <vector>
@@ -33,6 +33,6 @@ PlacedLattice place_lattice(const Mesh& mesh, const CaseFile& file);
 /// @throws InputError  "case.toml:12: …": a marker that does not exist, that is fixed as well, or no part of
 /// which lies
 ///                     in the lattice
-PlacedCase lattice_boundary(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed);
+PlacedBoundaries lattice_boundary(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed);
 
 } // namespace morph::tools

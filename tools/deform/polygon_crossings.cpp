@@ -16,7 +16,7 @@ using Edge = std::array<Index, 2>;
 /// Edges of the boundary, the copies of a split vertex taken as one.
 std::vector<Edge> boundary_edges(const Mesh& mesh)
 {
-    const std::vector<Index> first = first_copies(mesh.numbering);
+    const std::vector<Index> first = representatives(mesh.numbering);
     std::vector<Edge> edges;
     for (const auto edge : mesh.kernel.edges()) {
         if (!mesh.kernel.is_boundary(edge))
@@ -33,7 +33,7 @@ std::vector<Edge> boundary_edges(const Mesh& mesh)
 /// "the moved boundary 'airfoil'", or without its name when no marker has the edge.
 std::string name_of(const Mesh& mesh, const Edge& edge)
 {
-    const std::vector<Index> first = first_copies(mesh.numbering);
+    const std::vector<Index> first = representatives(mesh.numbering);
     for (const Marker& marker : mesh.markers)
         for (const auto& [a, b] : marker.edges)
             if (std::minmax(first[static_cast<std::size_t>(a)], first[static_cast<std::size_t>(b)]) ==
@@ -49,7 +49,7 @@ std::vector<std::string> misplaced_loops(const Mesh& moved, const PositionsView&
     if (!found || find_misplaced_loop(before, loops))
         return {};
     const std::vector<Index>& loop = loops[*found];
-    const std::vector<Index> first = first_copies(moved.numbering);
+    const std::vector<Index> first = representatives(moved.numbering);
     const auto [a, b] =
         std::minmax(first[static_cast<std::size_t>(loop[0])], first[static_cast<std::size_t>(loop[1])]);
     return {name_of(moved, {a, b}) + (loop_orientation(points(moved), loop) == loop_orientation(before, loop)

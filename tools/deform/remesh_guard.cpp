@@ -6,9 +6,9 @@
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/remesh.h"
 #include "libmorph/remesh/retriangulate.h"
-#include "libmorph/remesh/wanted_size.h"
-#include "tools/remesh/carried_fields.h"
+#include "libmorph/remesh/target_size.h"
 #include "tools/remesh/group_regions.h"
+#include "tools/remesh/transferred_fields.h"
 
 #include <algorithm>
 
@@ -77,7 +77,7 @@ Filled filled_between(Mesh& mesh, const std::vector<bool>& kept, const Points& b
     };
     const std::size_t markers = mesh.markers.size();
     try {
-        result.mesh = remade_between(mesh, group_regions(mesh), fill);
+        result.mesh = remesh_with_region_borders(mesh, group_regions(mesh), fill);
     } catch (const InputError&) {
         mesh.markers.resize(markers);
         result = filled(mesh, kept, before);
@@ -121,19 +121,19 @@ std::optional<RemeshedPart> remesh_bad_part(Mesh& mesh, const Points& before)
         return std::nullopt;
     const bool valid = inverted_elements(mesh, points(mesh)).empty();
     Mesh moved = mesh;
-    moved.fields.push_back({"size", FieldLocation::vertex, own_sizes(start)});
+    moved.fields.push_back({"size", FieldLocation::vertex, current_sizes(start)});
     Filled part = filled_between(moved, all_but(mesh, bad, kRings), before);
     const Eigen::VectorXd sizes = take_sizes(part.mesh);
     const GroupRegions regions = group_regions(part.mesh);
-    Mesh anew =
-        remade_between(part.mesh, regions, [&](const Mesh& from) { return remade(from, part.kept, sizes); });
+    Mesh anew = remesh_with_region_borders(part.mesh, regions,
+                                           [&](const Mesh& from) { return remade(from, part.kept, sizes); });
     if (valid && worst_quality(anew) <= worst_quality(mesh))
         return std::nullopt;
     const Locator locator(part.mesh);
     if (!part.mesh.groups.empty())
-        anew.groups = carried_groups(locator, regions, anew);
+        anew.groups = transferred_groups(locator, regions, anew);
     if (!part.mesh.fields.empty())
-        anew.fields = carried_fields(locator, anew, part.mesh.fields);
+        anew.fields = transferred_fields(locator, anew, part.mesh.fields);
     const RemeshedPart counts{part.cut_out, mesh.numbering.file_vertices, anew.numbering.file_vertices};
     mesh = std::move(anew);
     return counts;

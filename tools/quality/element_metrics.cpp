@@ -43,7 +43,7 @@ private:
 /// The Jacobian of a corner, counted as the file lists them.
 double corner_jacobian(const Mesh& mesh, const ElementQuality& quality, std::size_t face, std::size_t corner)
 {
-    return quality.jacobian[mesh.numbering.turned[face] ? (4 - corner) % 4 : corner];
+    return quality.jacobian[mesh.numbering.reversed[face] ? (4 - corner) % 4 : corner];
 }
 
 void add_shape(MetricFields& fields, const Mesh& mesh, const PositionsView* reference)

@@ -38,7 +38,7 @@ Points reference_points(const std::string& reference, const std::string& from, c
                         const std::string& path)
 {
     const MeshData data = read_mesh_data(reference, from);
-    require_same_mesh(reference, data, path, to_data(mesh));
+    require_same_mesh(reference, data, path, to_mesh_data(mesh));
     Points ordered(vertex_count(mesh), 3);
     for (Index v = 0; v < vertex_count(mesh); ++v)
         ordered.row(v) = data.points.row(mesh.numbering.vertex[static_cast<std::size_t>(v)]);

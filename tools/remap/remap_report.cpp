@@ -130,7 +130,8 @@ void describe_sites(const RemapResult& result, Report& report)
 
 } // namespace
 
-SiteCounts count_sites(const Sites& sites, const Points& targets, const std::vector<Index>& file_numbers)
+SiteCounts count_sites(const TargetLocations& sites, const Points& targets,
+                       const std::vector<Index>& file_numbers)
 {
     SiteCounts counts;
     counts.targets = sites.locations.face.size();

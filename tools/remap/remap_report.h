@@ -50,7 +50,8 @@ struct RemapResult {
 
 /// Count the targets outside and find the farthest of them.
 /// @param file_numbers  of the targets
-SiteCounts count_sites(const Sites& sites, const Points& targets, const std::vector<Index>& file_numbers);
+SiteCounts count_sites(const TargetLocations& sites, const Points& targets,
+                       const std::vector<Index>& file_numbers);
 
 /// "183 of 4055 targets (4.5 %) lie outside the source, ..." when more than 1 % do; else empty.
 std::string outside_warning(const SiteCounts& counts, const std::string& what);

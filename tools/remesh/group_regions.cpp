@@ -49,7 +49,8 @@ Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::
     return borders;
 }
 
-Mesh remade_between(Mesh& mesh, const GroupRegions& regions, const std::function<Mesh(const Mesh&)>& remake)
+Mesh remesh_with_region_borders(Mesh& mesh, const GroupRegions& regions,
+                                const std::function<Mesh(const Mesh&)>& remake)
 {
     if (regions.groups.size() < 2)
         return remake(mesh);
@@ -63,7 +64,8 @@ Mesh remade_between(Mesh& mesh, const GroupRegions& regions, const std::function
     return remade;
 }
 
-std::vector<ElementGroup> carried_groups(const Locator& old, const GroupRegions& regions, const Mesh& mesh)
+std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegions& regions,
+                                             const Mesh& mesh)
 {
     RemapSettings settings;
     settings.outside = Outside::project;

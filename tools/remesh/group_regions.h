@@ -22,10 +22,12 @@ Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::
 
 /// What @p remake makes of a mesh, with edges along every border between its groups: while it works they are
 /// a marker.
-Mesh remade_between(Mesh& mesh, const GroupRegions& regions, const std::function<Mesh(const Mesh&)>& remake);
+Mesh remesh_with_region_borders(Mesh& mesh, const GroupRegions& regions,
+                                const std::function<Mesh(const Mesh&)>& remake);
 
 /// The groups of a remade mesh, with the names of the old ones: each element is in those of the old element
 /// at its centre.
-std::vector<ElementGroup> carried_groups(const Locator& old, const GroupRegions& regions, const Mesh& mesh);
+std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegions& regions,
+                                             const Mesh& mesh);
 
 } // namespace morph::tools

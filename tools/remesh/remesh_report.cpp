@@ -5,7 +5,7 @@
 #include "libmorph/quality/quality.h"
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/folds.h"
-#include "libmorph/remesh/wanted_size.h"
+#include "libmorph/remesh/target_size.h"
 #include "tools/common/quality_json.h"
 #include "tools/common/run.h"
 

@@ -3,7 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/remesh/chord_size.h"
-#include "libmorph/remesh/wanted_size.h"
+#include "libmorph/remesh/target_size.h"
 
 #include <Eigen/Geometry>
 
@@ -104,7 +104,7 @@ Eigen::VectorXd source_sizes(const Mesh& mesh, const SizeOptions& options, const
         constexpr double kLargest = 0.1; // of the diagonal of the bounding box
         return Eigen::VectorXd::Constant(vertex_count(mesh), kLargest * diagonal_of(mesh));
     }
-    return own_sizes(mesh);
+    return current_sizes(mesh);
 }
 
 double gradation_of(const SizeOptions& options)
@@ -159,7 +159,7 @@ Index wanted_vertices(const Mesh& mesh, const SizeOptions& options)
     return options.vertices > 0 || options.adapt.empty() ? options.vertices : mesh.numbering.file_vertices;
 }
 
-Eigen::VectorXd wanted_sizes(const Mesh& mesh, const SizeOptions& options, const FeatureSettings& features,
+Eigen::VectorXd target_sizes(const Mesh& mesh, const SizeOptions& options, const FeatureSettings& features,
                              const std::string& input)
 {
     Eigen::VectorXd sizes = source_sizes(mesh, options, input);

@@ -31,7 +31,7 @@ Index wanted_vertices(const Mesh& mesh, const SizeOptions& options);
 /// @throws InputError  no such field, not one value a vertex where sizes are asked for, a size that is not
 /// positive or
 ///                     another value that is not finite (names file, field and vertex)
-Eigen::VectorXd wanted_sizes(const Mesh& mesh, const SizeOptions& options, const FeatureSettings& features,
+Eigen::VectorXd target_sizes(const Mesh& mesh, const SizeOptions& options, const FeatureSettings& features,
                              const std::string& input);
 
 } // namespace morph::tools

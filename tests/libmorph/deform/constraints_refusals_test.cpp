@@ -24,9 +24,9 @@ ConstraintSet body()
 }
 
 /// A node of the body as a point of its own.
-CarriedPoints node(const ConstraintSet& set, Index i)
+ControlledPoints node(const ConstraintSet& set, Index i)
 {
-    const CarriedPoints& nodes = set.boundaries[0].nodes;
+    const ControlledPoints& nodes = set.boundaries[0].nodes;
     return {nodes.positions.row(i), nodes.weights.middleRows(i, 1)};
 }
 

@@ -84,7 +84,7 @@ TEST(Constraints, DoNotMindWhichWayABoundaryRuns)
 {
     const ConstraintSet set = area_kept();
     ConstraintSet turned = set;
-    CarriedPoints& nodes = turned.boundaries[0].nodes;
+    ControlledPoints& nodes = turned.boundaries[0].nodes;
     nodes.positions = nodes.positions.colwise().reverse().eval();
     nodes.weights = Matrix(Matrix(nodes.weights).colwise().reverse()).sparseView();
     const Matrix wanted = 0.05 * Matrix::Random(kControlPoints, 2);
@@ -190,8 +190,8 @@ TEST(Constraints, AreReportedInTheOrderOfTheSet)
 TEST(Constraints, MoveFixedPointsExactlyAsTold)
 {
     ConstraintSet set = area_kept();
-    const CarriedPoints& body = set.boundaries[0].nodes;
-    CarriedPoints two{body.positions({10, 200}, Eigen::all), {2, kControlPoints}};
+    const ControlledPoints& body = set.boundaries[0].nodes;
+    ControlledPoints two{body.positions({10, 200}, Eigen::all), {2, kControlPoints}};
     two.weights = Matrix(Matrix(body.weights)({10, 200}, Eigen::all)).sparseView();
     Matrix told(2, 2);
     told << 0.05, -0.02, 0, 0.01;
@@ -242,7 +242,7 @@ TEST(Constraints, KeepAShapeSymmetricWhileItsAreaIsKept)
 TEST(Constraints, LeaveHeldControlPointsAndThoseOfOtherBoundaries)
 {
     ConstraintSet set = area_kept();
-    CarriedPoints& body = set.boundaries[0].nodes;
+    ControlledPoints& body = set.boundaries[0].nodes;
     body.weights.conservativeResize(body.weights.rows(), kControlPoints + 2); // two of another boundary
     set.held = {0, 7};
     const Matrix wanted = 0.05 * Matrix::Random(kControlPoints + 2, 2);
@@ -255,8 +255,8 @@ TEST(Constraints, LeaveHeldControlPointsAndThoseOfOtherBoundaries)
 TEST(Constraints, ReckonWithWhatHeldControlPointsMove)
 {
     ConstraintSet set = area_kept();
-    const CarriedPoints& body = set.boundaries[0].nodes;
-    const CarriedPoints point{body.positions.row(30), body.weights.middleRows(30, 1)};
+    const ControlledPoints& body = set.boundaries[0].nodes;
+    const ControlledPoints point{body.positions.row(30), body.weights.middleRows(30, 1)};
     set.fixed.push_back({"point", point, {}});
     set.held = {static_cast<Index>(point.weights.innerIndexPtr()[1]), 10};
     set.ties.push_back({"tie", {10, 12}});
@@ -271,7 +271,7 @@ TEST(Constraints, ReckonWithWhatHeldControlPointsMove)
 TEST(Constraints, BoundDistancesInSpace)
 {
     ConstraintSet set;
-    CarriedPoints ends{Points::Zero(2, 3), {2, 4}};
+    ControlledPoints ends{Points::Zero(2, 3), {2, 4}};
     ends.positions << 0, 0, 0, 1, 2, 2;
     ends.weights = test::sparse(test::random_weights(2, 4)).values;
     set.distances.push_back({"spar", ends, {Bound::Kind::equal, 3.5, false}});
@@ -283,15 +283,15 @@ TEST(Constraints, BoundDistancesInSpace)
 
 TEST(Constraints, AreTheSameFromDenseAndSparseWeights)
 {
-    const CarriedPoints body = test::nodes_on(test::ellipse_curve(kControlPoints, 0.12), 100);
+    const ControlledPoints body = test::nodes_on(test::ellipse_curve(kControlPoints, 0.12), 100);
     const SparseWeights sparse{{}, body.weights};
     const Weights dense{{}, body.weights};
     std::vector<Index> vertices(100);
     for (Index i = 0; i < 100; ++i)
         vertices[static_cast<std::size_t>(i)] = i;
-    const auto solve = [&](WeightRows weights) {
+    const auto solve = [&](WeightsView weights) {
         ConstraintSet set;
-        set.boundaries.push_back({"body", carried_vertices(weights, body.positions, vertices)});
+        set.boundaries.push_back({"body", controlled_vertices(weights, body.positions, vertices)});
         set.areas.push_back({"area", 0});
         return satisfy_constraints(set, Matrix::Constant(kControlPoints, 2, 0.1)).displacements;
     };

@@ -30,9 +30,9 @@ struct Method {
     AnyWeights weights;
 };
 
-WeightRows rows_of(const Method& method)
+WeightsView rows_of(const Method& method)
 {
-    return std::visit([](const auto& weights) { return WeightRows(weights); }, method.weights);
+    return std::visit([](const auto& weights) { return WeightsView(weights); }, method.weights);
 }
 
 Points moved_by(const Method& method, const Matrix& D, Points positions)
@@ -79,10 +79,10 @@ TEST_F(DirectControl, PullsVerticesOfTheMeshWhereTheyAreWanted)
 {
     for (const Method& method : methods) {
         const std::vector<Index> vertices = {inner[0], inner[17], inner[40]};
-        const WeightRows rows = rows_of(method);
+        const WeightsView rows = rows_of(method);
         const Matrix wanted = 0.2 * Matrix::Random(3, 2);
         const Matrix given = 0.1 * Matrix::Random(rows.cols(), 2);
-        const Pulled pulled = pull_points(carried_vertices(rows, rest, vertices), wanted, given);
+        const Pulled pulled = pull_points(controlled_vertices(rows, rest, vertices), wanted, given);
         const Points moved = moved_by(method, pulled.displacements, rest);
         const Matrix reached = (moved - rest)(vertices, Eigen::all).leftCols(2);
         EXPECT_LE((reached - wanted).norm(), kReached) << method.name;
@@ -93,11 +93,11 @@ TEST_F(DirectControl, KeepsTheAreaInsideABoundaryOfTheMesh)
 {
     const double area = area_inside(rest, inner);
     for (const Method& method : methods) {
-        const WeightRows rows = rows_of(method);
+        const WeightsView rows = rows_of(method);
         ConstraintSet set;
-        set.boundaries.push_back({"inner", carried_vertices(rows, rest, inner)});
+        set.boundaries.push_back({"inner", controlled_vertices(rows, rest, inner)});
         set.areas.push_back({"area", 0});
-        set.fixed.push_back({"vertex", carried_vertices(rows, rest, {inner[5]}), {}});
+        set.fixed.push_back({"vertex", controlled_vertices(rows, rest, {inner[5]}), {}});
         const Matrix wanted = 0.2 * Matrix::Random(rows.cols(), 2);
         const ConstrainedMove move = satisfy_constraints(set, wanted);
         const Points moved = moved_by(method, move.displacements, rest);
@@ -120,7 +120,7 @@ TEST_F(DirectControl, CarriesTheGradientOfAnObjectiveToTheControlPoints)
         gradient.row(inner[i]) << chord.y() / 2, -chord.x() / 2;
     }
     for (const Method& method : methods) {
-        const WeightRows rows = rows_of(method);
+        const WeightsView rows = rows_of(method);
         const Matrix carried = control_point_gradient(rows, gradient);
         Matrix difference = Matrix::Zero(rows.cols(), 2);
         for (Eigen::Index k = 0; k < difference.size(); ++k) {
@@ -137,12 +137,12 @@ TEST_F(DirectControl, CarriesTheGradientOfAnObjectiveToTheControlPoints)
 TEST_F(DirectControl, GivesTheSameBytesForAnyThreadCount)
 {
     for (const Method& method : methods) {
-        const WeightRows rows = rows_of(method);
+        const WeightsView rows = rows_of(method);
         const Matrix wanted = 0.1 * Matrix::Random(rows.cols(), 2);
         const auto solve = [&](int threads) {
             set_thread_count(threads);
             ConstraintSet set;
-            set.boundaries.push_back({"inner", carried_vertices(rows, rest, inner)});
+            set.boundaries.push_back({"inner", controlled_vertices(rows, rest, inner)});
             set.areas.push_back({"area", 0});
             set.thicknesses.push_back({"middle", 0, {0.1, 0}, {0, 1}, {Bound::Kind::equal, 0.9, true}});
             Matrix D = satisfy_constraints(set, wanted).displacements;

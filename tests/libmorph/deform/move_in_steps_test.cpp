@@ -14,11 +14,11 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 
-Matrix harmonic_move(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+Matrix harmonic_move(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
 {
-    return harmonic_spread(mesh, held, Diffusivity::inverse_distance)->spread(displacement);
+    return harmonic_extension(mesh, held, Diffusivity::inverse_distance)->extend(displacement);
 }
 
 Mesh ring()
@@ -27,7 +27,7 @@ Mesh ring()
 }
 
 /// Where the held vertices are wanted, n x 3 rows of the others as they are.
-double landing_error(const Mesh& moved, const Mesh& start, const HeldBoundary& held,
+double landing_error(const Mesh& moved, const Mesh& start, const DirichletBoundary& held,
                      const Matrix& displacement)
 {
     double error = 0;
@@ -42,7 +42,7 @@ double landing_error(const Mesh& moved, const Mesh& start, const HeldBoundary& h
 TEST(MoveInSteps, OneStepIsTheMoveItself)
 {
     const Mesh start = ring();
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     const Matrix D = boundary_displacement(start, held, test::turn(20, {0.1, 0}));
     Mesh mesh = start;
     EXPECT_EQ(move_in_steps(mesh, held, D, harmonic_move, 1), 1);
@@ -56,11 +56,12 @@ TEST(MoveInSteps, StepsTurnABodyWithoutShrinkingItOnTheWay)
 {
     // Seen by the move: the radius of the inner circle before each step.
     const Mesh start = ring();
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     const Matrix D = boundary_displacement(start, held, test::turn(170, {0, 0}));
     const std::vector<bool> moving = test::is_moving(start, held);
     int calls = 0;
-    const BoundaryMove watched = [&](const Mesh& mesh, const HeldBoundary& of, const Matrix& displacement) {
+    const BoundaryMove watched = [&](const Mesh& mesh, const DirichletBoundary& of,
+                                     const Matrix& displacement) {
         ++calls;
         for (const auto& [a, b] : of.moving_edges) {
             EXPECT_NEAR(points(mesh).row(a).norm(), 0.5, 1e-12) << calls;
@@ -81,7 +82,7 @@ TEST(MoveInSteps, StepsTurnABodyWithoutShrinkingItOnTheWay)
 TEST(MoveInSteps, AutomaticStepsKeepEveryElementValid)
 {
     const Mesh start = ring();
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     for (const double degrees : {1.0, 60.0, 150.0}) {
         const Matrix D = boundary_displacement(start, held, test::turn(degrees, {0, 0}));
         Mesh mesh = start;
@@ -96,7 +97,7 @@ TEST(MoveInSteps, AutomaticStepsKeepEveryElementValid)
 TEST(MoveInSteps, RefusesNegativeNumbersOfSteps)
 {
     Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(mesh, held, test::turn(20, {0, 0}));
     EXPECT_THAT(test::message_of([&] { move_in_steps(mesh, held, D, harmonic_move, -1); }),
                 ::testing::HasSubstr("at least 1 step, not -1"));

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 constexpr double kSolveTol = 1e-12;
 
 /// Points with weights of their own for each control point, at the origin.
-CarriedPoints random_points(Index count, Index control_points)
+ControlledPoints random_points(Index count, Index control_points)
 {
     const Weights weights = test::random_weights(count, control_points);
     return {Points::Zero(count, 3), test::sparse(weights).values};
@@ -30,7 +30,7 @@ Matrix pseudo_inverse(const Matrix& W)
 
 TEST(PullPoints, ReachesThePointsWithTheSmallestChange)
 {
-    const CarriedPoints points = random_points(3, 11);
+    const ControlledPoints points = random_points(3, 11);
     for (const int components : {2, 3}) {
         const Matrix wanted = Matrix::Random(3, components);
         const Matrix given = Matrix::Random(11, components);
@@ -47,7 +47,7 @@ TEST(PullPoints, ReachesThePointsWithTheSmallestChange)
 
 TEST(PullPoints, ComesNearestWhenThereAreMorePointsThanControlPoints)
 {
-    const CarriedPoints points = random_points(12, 5);
+    const ControlledPoints points = random_points(12, 5);
     const Matrix wanted = Matrix::Random(12, 2);
     const Pulled pulled = pull_points(points, wanted, Matrix::Zero(5, 2));
     const Matrix missed = wanted - points.weights * pulled.displacements;
@@ -59,7 +59,7 @@ TEST(PullPoints, ComesNearestWhenThereAreMorePointsThanControlPoints)
 
 TEST(PullPoints, MeetsContradictingWishesHalfway)
 {
-    CarriedPoints points = random_points(1, 4);
+    ControlledPoints points = random_points(1, 4);
     const Matrix row = points.weights;
     points.weights = row.replicate(2, 1).sparseView();
     points.positions = Points::Zero(2, 3);
@@ -73,9 +73,9 @@ TEST(PullPoints, MeetsContradictingWishesHalfway)
 }
 
 /// Two points whose weights differ by @p difference in one control point.
-CarriedPoints close_points(double difference)
+ControlledPoints close_points(double difference)
 {
-    CarriedPoints points = random_points(1, 4);
+    ControlledPoints points = random_points(1, 4);
     Matrix W = Matrix(points.weights).replicate(2, 1);
     W(1, 2) += difference;
     return {Points::Zero(2, 3), W.sparseView()};
@@ -95,7 +95,7 @@ TEST(PullPoints, PullsCloseNeighboursApartButNotTheSamePoint)
 
 TEST(PullPoints, LeavesHeldControlPointsAndThoseThatMoveNothing)
 {
-    CarriedPoints points = random_points(2, 8);
+    ControlledPoints points = random_points(2, 8);
     Matrix W = points.weights;
     W.col(6).setZero();
     points.weights = W.sparseView();
@@ -109,7 +109,7 @@ TEST(PullPoints, LeavesHeldControlPointsAndThoseThatMoveNothing)
 
 TEST(PullPoints, ReportsWhatNothingCanReach)
 {
-    const CarriedPoints points = random_points(2, 3);
+    const ControlledPoints points = random_points(2, 3);
     const Matrix wanted = Matrix::Random(2, 2);
     const Pulled pulled = pull_points(points, wanted, Matrix::Zero(3, 2), {0, 1, 2});
     EXPECT_EQ(pulled.residual, wanted);
@@ -119,7 +119,7 @@ TEST(PullPoints, ReportsWhatNothingCanReach)
 
 TEST(PullPoints, RefusesWhatDoesNotFit)
 {
-    const CarriedPoints points = random_points(2, 3);
+    const ControlledPoints points = random_points(2, 3);
     const Matrix wanted = Matrix::Zero(2, 2);
     const Matrix given = Matrix::Zero(3, 2);
     EXPECT_THAT(test::message_of([&] { pull_points(points, wanted, Matrix::Zero(4, 2)); }),

@@ -13,11 +13,11 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 
 constexpr double kLanding = 1e-15; // place + displacement, of about 1
 
-void expect_landed(const Mesh& start, const HeldBoundary& held, const Matrix& displacement,
+void expect_landed(const Mesh& start, const DirichletBoundary& held, const Matrix& displacement,
                    const Points& after)
 {
     for (std::size_t i = 0; i < held.vertices.size(); ++i)
@@ -30,7 +30,7 @@ void expect_landed(const Mesh& start, const HeldBoundary& held, const Matrix& di
 TEST(RepairInSteps, FollowsABodyThatTurnsAndOneThatGetsANotch)
 {
     const Mesh start = build_mesh(test::uneven_annulus(0.5, 3, 60));
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     const test::Move notch = [](double x, double y) {
         return Eigen::RowVector2d(x > 0 ? -0.75 * std::exp(-std::pow(y / 0.12, 2)) : 0, 0);
     };
@@ -48,7 +48,7 @@ TEST(RepairInSteps, EndsAlsoWhereNoValidMeshExists)
 {
     // The hole has left the domain.
     const Mesh start = build_mesh(test::uneven_annulus(0.5, 3, 30));
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     const Matrix D =
         boundary_displacement(start, held, [](double, double) { return Eigen::RowVector2d(8, 0); });
     UntangleResult work;
@@ -60,7 +60,7 @@ TEST(RepairInSteps, EndsAlsoWhereNoValidMeshExists)
 TEST(RepairInSteps, MovesCopiesOfASplitVertexTogether)
 {
     const Mesh start = build_mesh(test::touching_squares(6));
-    HeldBoundary held;
+    DirichletBoundary held;
     for (const VertexHandle v : start.kernel.vertices())
         if (start.kernel.is_boundary(v))
             held.vertices.push_back(v.idx());

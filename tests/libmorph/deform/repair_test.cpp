@@ -13,10 +13,10 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 
 /// The mesh with its inner boundary turned and nothing else moved: elements beside it are inverted.
-Mesh left_behind(const Mesh& start, const HeldBoundary& held, const Matrix& displacement)
+Mesh left_behind(const Mesh& start, const DirichletBoundary& held, const Matrix& displacement)
 {
     Mesh mesh = start;
     for (std::size_t i = 0; i < held.vertices.size(); ++i)
@@ -27,7 +27,7 @@ Mesh left_behind(const Mesh& start, const HeldBoundary& held, const Matrix& disp
 TEST(Repair, HoldsTheBoundaryAndEndsWithoutInvertedElements)
 {
     const Mesh start = build_mesh(test::uneven_annulus(0.5, 3, 60));
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     for (const double degrees : {30.0, 90.0, 170.0}) {
         const Matrix D = boundary_displacement(start, held, test::turn(degrees, {0.1, 0}));
         Mesh mesh = left_behind(start, held, D);
@@ -67,7 +67,7 @@ TEST(Repair, EndsWithTheBestOfItsStartsWhereNoValidMeshExists)
 {
     // The hole has left the domain.
     const Mesh start = build_mesh(test::uneven_annulus(0.5, 3, 30));
-    const HeldBoundary held = held_boundary(start, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(start, {"inner"});
     const Matrix D =
         boundary_displacement(start, held, [](double, double) { return Eigen::RowVector2d(8, 0); });
     Mesh mesh = left_behind(start, held, D);

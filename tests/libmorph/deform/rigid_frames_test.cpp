@@ -24,7 +24,7 @@ using namespace morph;
 using std::numbers::pi;
 using test::boundary_displacement;
 using test::difference;
-using test::held_boundary;
+using test::dirichlet_boundary;
 
 // One sparse solve of a well-conditioned system loses a few digits, and rotations none; n is some thousands.
 constexpr double kSolveTol = 1e-11;
@@ -39,7 +39,7 @@ Mesh ring()
 TEST(BoundaryFrames, OfARigidTurnHaveItsAngleEverywhere)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const std::vector<bool> moving = test::is_moving(mesh, held);
     for (const double degrees : {-170.0, -90.0, 0.0, 5.0, 120.0, 179.0}) {
         const Matrix d = boundary_displacement(mesh, held, test::turn(degrees, {4, -2}));
@@ -74,7 +74,7 @@ TEST(BoundaryFrames, FollowABoundaryThatRollsUpThroughMoreThanATurn)
     constexpr double kTurns = 3;
     constexpr Index kEnd = 4; // at an end the angle is that of edges on one side only
     const Mesh mesh = build_mesh(test::uneven_square(kCells));
-    const HeldBoundary held = held_boundary(mesh, {"bottom"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"bottom"});
     const auto moves = rolled_up(kCells, kTurns);
     const auto place = [&](std::size_t i) {
         return static_cast<std::size_t>(std::lround(kCells * points(mesh)(held.vertices[i], 0)));
@@ -102,7 +102,7 @@ TEST(BoundaryFrames, WeighEdgesByTheirLengthAndByHowNearTheyAre)
     for (Index i = 1; i < 12; ++i)
         data.points(i, 0) = std::pow(i / 12.0, 1.3); // edges of different length along the bottom
     const Mesh mesh = build_mesh(data);
-    const HeldBoundary held = held_boundary(mesh, {"bottom"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"bottom"});
     const auto dent = [](double x, double) { return Eigen::RowVector2d(0, 0.2 * std::exp(-50 * x * x)); };
     constexpr double kReach = 0.3;
     const BoundaryFrames frames =
@@ -129,7 +129,7 @@ TEST(BoundaryFrames, WeighEdgesByTheirLengthAndByHowNearTheyAre)
 TEST(BoundaryFrames, AtASharpTrailingEdgeLieBetweenThoseOfTheSides)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_inv.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"airfoil"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
     const Matrix thicker = boundary_displacement(
         mesh, held, [](double, double y) { return Eigen::RowVector2d(0, 2 * y); }); // three times as thick
     const BoundaryFrames frames = boundary_frames(mesh, held, thicker);
@@ -149,7 +149,7 @@ TEST(BoundaryFrames, AtASharpTrailingEdgeLieBetweenThoseOfTheSides)
 TEST(BoundaryFrames, OfABodyThatShrinksToAPointAreFinite)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const BoundaryFrames frames = boundary_frames(
         mesh, held,
         boundary_displacement(mesh, held, [](double x, double y) { return Eigen::RowVector2d(-x, -y); }));
@@ -160,7 +160,7 @@ TEST(BoundaryFrames, OfABodyThatShrinksToAPointAreFinite)
 TEST(BoundaryFrames, RefuseWhatMakesNoSense)
 {
     Mesh mesh = ring();
-    HeldBoundary held = held_boundary(mesh, {"inner"});
+    DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const auto rows = static_cast<Index>(held.vertices.size());
     EXPECT_THROW(boundary_frames(mesh, held, Matrix::Zero(rows, 3)), InputError);
     EXPECT_THROW(boundary_frames(mesh, held, Matrix::Zero(rows - 1, 2)), InputError);
@@ -178,10 +178,10 @@ TEST(BoundaryFrames, RefuseWhatMakesNoSense)
 }
 
 /// What arrives with harmonic angles, stiff near the body.
-Matrix carried(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+Matrix carried(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
 {
-    const auto spread = harmonic_spread(mesh, held, Diffusivity::inverse_distance);
-    return spread_with_rotations(*spread, mesh, held, displacement);
+    const auto extension = harmonic_extension(mesh, held, Diffusivity::inverse_distance);
+    return extend_with_rotations(*extension, mesh, held, displacement);
 }
 
 TEST(SpreadWithRotations, IsExactOnTheBoundaryOfEveryRealMesh)
@@ -189,7 +189,7 @@ TEST(SpreadWithRotations, IsExactOnTheBoundaryOfEveryRealMesh)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = held_boundary(mesh, {mesh.markers.front().name});
+        const DirichletBoundary held = dirichlet_boundary(mesh, {mesh.markers.front().name});
         const Matrix d = boundary_displacement(mesh, held, [](double x, double y) {
             return Eigen::RowVector2d(0.1 * std::sin(3 * x + y), 0.2 * std::cos(x - 2 * y));
         });
@@ -204,10 +204,10 @@ TEST(SpreadWithRotations, TurnsACircleInACircleByTheLogarithmOfTheRadius)
     double error[2]{};
     for (const int fine : {0, 1}) {
         const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, fine ? 120 : 60));
-        const HeldBoundary held = held_boundary(mesh, {"inner"});
-        const auto spread = harmonic_spread(mesh, held, Diffusivity::uniform);
-        const Matrix moved = spread_with_rotations(
-            *spread, mesh, held, boundary_displacement(mesh, held, test::turn(150, {0, 0})));
+        const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
+        const auto extension = harmonic_extension(mesh, held, Diffusivity::uniform);
+        const Matrix moved = extend_with_rotations(
+            *extension, mesh, held, boundary_displacement(mesh, held, test::turn(150, {0, 0})));
         const Matrix expected = test::displacement_everywhere(mesh, [](double x, double y) {
             const double angle = kAngle * std::log(3 / std::hypot(x, y)) / std::log(6.0);
             return test::turn(angle / kDegree, {0, 0})(x, y);
@@ -222,8 +222,8 @@ TEST(SpreadWithRotations, ARigidMoveOfSeveralBodiesTogetherMovesWhatLiesBetween)
 {
     const Mesh mesh = build_mesh(mesh_domain(test::thesis_case(2)));
     ASSERT_EQ(mesh.markers.size(), 3);
-    const HeldBoundary held =
-        held_boundary(mesh, {mesh.markers[0].name, mesh.markers[1].name, mesh.markers[2].name});
+    const DirichletBoundary held =
+        dirichlet_boundary(mesh, {mesh.markers[0].name, mesh.markers[1].name, mesh.markers[2].name});
     const test::Move move = test::turn(100, {7, -3});
     EXPECT_EQ(boundary_frames(mesh, held, boundary_displacement(mesh, held, move)).pivot.rows(), 3);
     const Matrix moved = carried(mesh, held, boundary_displacement(mesh, held, move));
@@ -233,14 +233,14 @@ TEST(SpreadWithRotations, ARigidMoveOfSeveralBodiesTogetherMovesWhatLiesBetween)
 TEST(SpreadWithRotations, AShiftArrivesAsWithoutRotations)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix d =
         boundary_displacement(mesh, held, [](double, double) { return Eigen::RowVector2d(0.3, -0.2); });
-    const auto spread = harmonic_spread(mesh, held, Diffusivity::inverse_distance);
-    EXPECT_LE(difference(spread_with_rotations(*spread, mesh, held, d), spread->spread(d)), kSolveTol);
-    const HeldBoundary nothing_moves{held.vertices, {}, {}};
-    const auto uniform = harmonic_spread(mesh, nothing_moves, Diffusivity::uniform);
-    EXPECT_LE(difference(spread_with_rotations(*uniform, mesh, nothing_moves, d), uniform->spread(d)),
+    const auto extension = harmonic_extension(mesh, held, Diffusivity::inverse_distance);
+    EXPECT_LE(difference(extend_with_rotations(*extension, mesh, held, d), extension->extend(d)), kSolveTol);
+    const DirichletBoundary nothing_moves{held.vertices, {}, {}};
+    const auto uniform = harmonic_extension(mesh, nothing_moves, Diffusivity::uniform);
+    EXPECT_LE(difference(extend_with_rotations(*uniform, mesh, nothing_moves, d), uniform->extend(d)),
               kSolveTol);
 }
 
@@ -248,13 +248,13 @@ TEST(SpreadWithRotations, AirfoilsTurnByUpTo120DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
-        const HeldBoundary held = held_boundary(mesh, {body});
-        const auto spread = harmonic_spread(mesh, held, Diffusivity::inverse_distance);
+        const DirichletBoundary held = dirichlet_boundary(mesh, {body});
+        const auto extension = harmonic_extension(mesh, held, Diffusivity::inverse_distance);
         for (const double degrees : {5, 10, 20, 45, 90, 120, -120}) {
             SCOPED_TRACE(file + (" by " + std::to_string(degrees)));
             const Matrix d = boundary_displacement(mesh, held, test::turn(degrees, {0.5, 0}));
-            EXPECT_EQ(test::inverted_after(mesh, spread_with_rotations(*spread, mesh, held, d)), 0);
-            const Index plain = test::inverted_after(mesh, spread->spread(d));
+            EXPECT_EQ(test::inverted_after(mesh, extend_with_rotations(*extension, mesh, held, d)), 0);
+            const Index plain = test::inverted_after(mesh, extension->extend(d));
             EXPECT_EQ(plain > 1000, std::abs(degrees) >= 90) << plain;
             EXPECT_EQ(plain == 0, std::abs(degrees) <= 45) << plain;
         }
@@ -266,7 +266,7 @@ TEST(SpreadWithRotations, AirfoilsBecomeThriceAsThickWithoutInvertedElements)
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         SCOPED_TRACE(file);
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
-        const HeldBoundary held = held_boundary(mesh, {body});
+        const DirichletBoundary held = dirichlet_boundary(mesh, {body});
         const Matrix d =
             boundary_displacement(mesh, held, [](double, double y) { return Eigen::RowVector2d(0, 2 * y); });
         EXPECT_EQ(test::inverted_after(mesh, carried(mesh, held, d)), 0);
@@ -276,7 +276,7 @@ TEST(SpreadWithRotations, AirfoilsBecomeThriceAsThickWithoutInvertedElements)
 TEST(SpreadWithRotations, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 240)); // several blocks of vertices
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix d = boundary_displacement(mesh, held, test::turn(70, {0.1, 0}));
     set_thread_count(1);
     const Matrix alone = carried(mesh, held, d);

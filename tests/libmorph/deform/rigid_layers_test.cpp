@@ -14,13 +14,13 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 using test::message_of;
 using ::testing::HasSubstr;
 
-Matrix harmonic_move(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+Matrix harmonic_move(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
 {
-    return harmonic_spread(mesh, held, Diffusivity::uniform)->spread(displacement);
+    return harmonic_extension(mesh, held, Diffusivity::uniform)->extend(displacement);
 }
 
 Mesh ring()
@@ -31,7 +31,7 @@ Mesh ring()
 TEST(RigidLayers, MoveAsOneBodyWithAMarkerThatTurns)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const test::Move turn = test::turn(75, {0.3, 0.1});
     const Matrix D = boundary_displacement(mesh, held, turn);
     const Matrix moved = with_rigid_layers(harmonic_move, {{"inner", 0.4}})(mesh, held, D);
@@ -52,7 +52,7 @@ TEST(RigidLayers, KeepTheirHeightOnAWallThatBends)
 {
     // The inner circle becomes an ellipse; vertices near it stay as far from it as they were.
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(
         mesh, held, [](double x, double y) { return Eigen::RowVector2d(0.3 * x, -0.3 * y); });
     constexpr double kHeight = 0.06;
@@ -82,7 +82,7 @@ TEST(RigidLayers, KeepTheirHeightOnAWallThatBends)
 TEST(RigidLayers, OfAFixedMarkerStay)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(mesh, held, test::turn(30, {0, 0}));
     const Matrix moved = with_rigid_layers(harmonic_move, {{"outer", 0.5}})(mesh, held, D);
     for (Index v = 0; v < vertex_count(mesh); ++v)
@@ -94,14 +94,14 @@ TEST(RigidLayers, OfAFixedMarkerStay)
 TEST(RigidLayers, SayWhatIsWrong)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(mesh, held, test::turn(30, {0, 0}));
     const auto with = [&](RigidLayer layer) {
         return message_of([&] { with_rigid_layers(harmonic_move, {layer})(mesh, held, D); });
     };
     EXPECT_THAT(with({"wing", 0.1}), HasSubstr("wing"));
     EXPECT_THAT(with({"inner", -0.1}), HasSubstr("below 0"));
-    HeldBoundary half = held;
+    DirichletBoundary half = held;
     half.vertices.clear();
     Matrix of_half(0, 2);
     const std::vector<bool> moving = test::is_moving(mesh, held);

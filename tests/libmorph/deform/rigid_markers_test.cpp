@@ -14,7 +14,7 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 
 Mesh ring()
 {
@@ -24,7 +24,7 @@ Mesh ring()
 TEST(RigidMarkers, ARigidMoveIsLeftAsItIs)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     for (const double degrees : {0.0, 30.0, 150.0, -90.0}) {
         const Matrix D = boundary_displacement(mesh, held, test::turn(degrees, {0.3, 0.1}));
         EXPECT_LE((with_rigid_markers(mesh, held, D, {"inner"}) - D).cwiseAbs().maxCoeff(), 1e-14) << degrees;
@@ -34,7 +34,7 @@ TEST(RigidMarkers, ARigidMoveIsLeftAsItIs)
 TEST(RigidMarkers, NoOtherRigidMotionFitsTheDisplacementBetter)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(mesh, held, [](double x, double y) {
         return Eigen::RowVector2d(0.2 * x - 0.7 * y + 0.1 * y * y, 0.6 * x + 0.3 * std::sin(4 * y));
     });
@@ -57,7 +57,7 @@ TEST(RigidMarkers, NoOtherRigidMotionFitsTheDisplacementBetter)
 TEST(RigidMarkers, DistancesOnTheMarkerStayAndOtherMarkersAreLeftAlone)
 {
     const Mesh mesh = ring();
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(
         mesh, held, [](double x, double y) { return Eigen::RowVector2d(0.3 * x + y, -0.3 * y); });
     const Matrix rigid = with_rigid_markers(mesh, held, D, {"inner"});
@@ -79,7 +79,7 @@ TEST(RigidMarkers, DistancesOnTheMarkerStayAndOtherMarkersAreLeftAlone)
 TEST(RigidMarkers, AMarkerThatIsNotHeldIsRefused)
 {
     const Mesh mesh = ring();
-    HeldBoundary held = held_boundary(mesh, {"inner"});
+    DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     EXPECT_THAT(test::message_of([&] {
                     with_rigid_markers(mesh, held, Matrix::Zero(std::ssize(held.vertices), 2), {"iner"});
                 }),

@@ -18,8 +18,8 @@ constexpr double kRoundOff = 1e-13;
 
 /// The area of a wobbly boundary and the distance of two points, carried by 9 control points.
 struct Shapes {
-    CarriedPoints boundary = test::nodes_on(Curve(test::wobbly_curve(3, 9, true, true, 7)), 200);
-    CarriedPoints ends = test::nodes_on(Curve(test::wobbly_curve(3, 9, true, true, 11)), 2);
+    ControlledPoints boundary = test::nodes_on(Curve(test::wobbly_curve(3, 9, true, true, 7)), 200);
+    ControlledPoints ends = test::nodes_on(Curve(test::wobbly_curve(3, 9, true, true, 11)), 2);
     ShapeMeasures measures{{boundary, ends}, {{Kind::area, 0, {}, {}}, {Kind::distance, 1, {}, {}}}, 2};
 };
 
@@ -45,9 +45,9 @@ double difference_error(const std::function<Eigen::VectorXd(const Matrix&)>& f,
 
 TEST(ShapeMeasures, OfASquareAreItsAreaWidthAndDiagonal)
 {
-    CarriedPoints square{Points::Zero(4, 3), {4, 0}};
+    ControlledPoints square{Points::Zero(4, 3), {4, 0}};
     square.positions << 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0;
-    CarriedPoints ends{square.positions({0, 2}, Eigen::all), {2, 0}};
+    ControlledPoints ends{square.positions({0, 2}, Eigen::all), {2, 0}};
     const double half = std::sqrt(0.5);
     const ShapeMeasures measures({square, ends},
                                  {{Kind::area, 0, {}, {}},
@@ -66,7 +66,7 @@ TEST(ShapeMeasures, OfASquareAreItsAreaWidthAndDiagonal)
 
 TEST(ShapeMeasures, TakeTheWholeExtentOfAShapeThatALineCrossesFourTimes)
 {
-    CarriedPoints hook{Points::Zero(8, 3), {8, 0}};
+    ControlledPoints hook{Points::Zero(8, 3), {8, 0}};
     hook.positions << 0, 0, 0, 4, 0, 0, 4, 1, 0, 1, 1, 0, 1, 3, 0, 4, 3, 0, 4, 4, 0, 0, 4, 0;
     const ShapeMeasures measures({hook}, {{Kind::extent, 0, {2, 0}, {0, 1}}}, 2);
     EXPECT_NEAR(measures.at(Matrix(0, 2)).values[0], 4, kRoundOff);
@@ -74,11 +74,11 @@ TEST(ShapeMeasures, TakeTheWholeExtentOfAShapeThatALineCrossesFourTimes)
 
 TEST(ShapeMeasures, ScaleAndTranslateAsLengthsAndAreasDo)
 {
-    CarriedPoints ring = test::nodes_on(test::ellipse_curve(8, 1), 100);
+    ControlledPoints ring = test::nodes_on(test::ellipse_curve(8, 1), 100);
     const ShapeMeasures near({ring}, {{Kind::area, 0, {}, {}}, {Kind::extent, 0, {0.5, 0}, {0, 1}}}, 2);
     const Eigen::VectorXd values = near.at(Matrix::Zero(8, 2)).values;
     for (const double scale : {1e-3, 1e3}) {
-        CarriedPoints other = ring;
+        ControlledPoints other = ring;
         other.positions *= scale;
         other.positions.col(0).array() += 10 * scale;
         const ShapeMeasures far({other},
@@ -173,7 +173,7 @@ TEST(ShapeMeasures, HaveExtentsAndTheirGradientsThatTendToThoseOfTheCurve)
 
 TEST(ShapeMeasures, HaveGradientsOfExtentsWithoutAJumpAtANode)
 {
-    const CarriedPoints nodes = test::nodes_on(test::ellipse_curve(12, 0.3), 100);
+    const ControlledPoints nodes = test::nodes_on(test::ellipse_curve(12, 0.3), 100);
     const double x = nodes.positions(17, 0);
     const ShapeMeasures measures(
         {nodes}, {{Kind::extent, 0, {x - 1e-9, 0}, {0, 1}}, {Kind::extent, 0, {x + 1e-9, 0}, {0, 1}}}, 2);
@@ -199,7 +199,7 @@ TEST(ShapeMeasures, HaveSecondDerivativesOfExtentsUpToTheLengthOfTheSides)
 
 TEST(ShapeMeasures, OfDistancesInSpaceHaveTheDerivativesOfTheirDifferences)
 {
-    CarriedPoints ends{Points::Random(2, 3), {2, 3}};
+    ControlledPoints ends{Points::Random(2, 3), {2, 3}};
     ends.weights = Matrix(Matrix::Random(2, 3)).sparseView();
     const ShapeMeasures measures({ends}, {{Kind::distance, 0, {}, {}}}, 3);
     const Matrix D = Matrix::Random(3, 3);

@@ -19,19 +19,19 @@ namespace {
 
 using namespace morph;
 using test::boundary_displacement;
-using test::held_boundary;
+using test::dirichlet_boundary;
 using test::message_of;
 using ::testing::HasSubstr;
 
-Matrix harmonic_move(const Mesh& mesh, const HeldBoundary& held, const Matrix& displacement)
+Matrix harmonic_move(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement)
 {
-    return harmonic_spread(mesh, held, Diffusivity::uniform)->spread(displacement);
+    return harmonic_extension(mesh, held, Diffusivity::uniform)->extend(displacement);
 }
 
 /// The unit square; its top goes right by a half, its bottom stays.
 struct ShearedSquare {
     Mesh mesh = build_mesh(test::uneven_square(12));
-    HeldBoundary held = held_boundary(mesh, {"top"});
+    DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
     Matrix D = boundary_displacement(
         mesh, held, [](double, double y) { return Eigen::RowVector2d(0, y > 0.99 ? 0.5 : 0); });
 };
@@ -54,7 +54,7 @@ TEST(Sliding, NodesOfStraightSidesFollowTheStretch)
 TEST(Sliding, NodesStayOnTheirLine)
 {
     const Mesh mesh = build_mesh(test::uneven_square(12));
-    const HeldBoundary held = held_boundary(mesh, {"top"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
     const Matrix D = boundary_displacement(mesh, held, [](double x, double y) {
         return y > 0.99 ? Eigen::RowVector2d(0.3 * x * (1 - x), 0.4 * x * (1 - x)) : Eigen::RowVector2d(0, 0);
     });
@@ -73,7 +73,7 @@ TEST(Sliding, ACircleOfNodesTurnsOnItsCurve)
 {
     // The inner circle turns; the outer one, carried by a circle-like curve, follows.
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 60));
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix D = boundary_displacement(mesh, held, test::turn(20, {0, 0}));
     Points2 control_points(24, 2);
     for (Index k = 0; k < 24; ++k) {
@@ -95,9 +95,9 @@ TEST(Sliding, ACircleOfNodesTurnsOnItsCurve)
 TEST(Sliding, NodesThatWouldPassEachOtherSlideLess)
 {
     const Mesh mesh = build_mesh(test::uneven_square(12));
-    const HeldBoundary held = held_boundary(mesh, {"top"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
     const Matrix D = Matrix::Zero(static_cast<Index>(held.vertices.size()), 2);
-    const BoundaryMove scrambled = [&](const Mesh& of, const HeldBoundary& boundary,
+    const BoundaryMove scrambled = [&](const Mesh& of, const DirichletBoundary& boundary,
                                        const Matrix& displacement) {
         Matrix all = harmonic_move(of, boundary, displacement);
         for (Index v = 0; v < vertex_count(of); ++v)
@@ -106,7 +106,7 @@ TEST(Sliding, NodesThatWouldPassEachOtherSlideLess)
     };
     const std::vector<Index> bottom = marker_vertices(marker(mesh, "bottom"));
     std::vector<std::pair<double, double>> along; // x before and after, as the last call is told
-    const BoundaryMove watched = [&](const Mesh& of, const HeldBoundary& boundary,
+    const BoundaryMove watched = [&](const Mesh& of, const DirichletBoundary& boundary,
                                      const Matrix& displacement) {
         along.clear();
         for (std::size_t i = 0; i < boundary.vertices.size(); ++i)

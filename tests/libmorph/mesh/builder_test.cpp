@@ -117,7 +117,7 @@ TEST(BuildMesh, GivesBackEveryRealMeshBitForBit)
     for (const std::string& path : test::real_meshes()) {
         MeshData data = read_mesh_data(path);
         add_fields(data);
-        EXPECT_EQ(test::difference(to_data(build_mesh(data)), data), "") << path;
+        EXPECT_EQ(test::difference(to_mesh_data(build_mesh(data)), data), "") << path;
     }
 }
 
@@ -130,7 +130,7 @@ TEST(BuildMesh, GivesBackAnyNumberingAndAnyWayOfListing)
             test::turn_some(data, turned, seed);
             add_fields(data);
             const Mesh mesh = build_mesh(data);
-            EXPECT_EQ(test::difference(to_data(mesh), data), "") << "seed " << seed;
+            EXPECT_EQ(test::difference(to_mesh_data(mesh), data), "") << "seed " << seed;
             if (data.dimension == 2) { // the same geometry, counter-clockwise, however it was listed
                 EXPECT_NEAR(total_area(mesh), total_area(build_mesh(original)), 1e-12 * total_area(mesh));
             }
@@ -194,28 +194,28 @@ TEST(BuildMesh, KeepsVerticesOfNoElement)
             EXPECT_GE(mesh.numbering.vertex[static_cast<std::size_t>(v.idx())], used);
         }
     EXPECT_EQ(isolated, 2);
-    EXPECT_EQ(test::difference(to_data(mesh), data), "");
+    EXPECT_EQ(test::difference(to_mesh_data(mesh), data), "");
 }
 
 TEST(BuildMesh, TakesMeshesWithoutElementsOrVertices)
 {
     MeshData data;
     data.points.resize(0, 3);
-    EXPECT_EQ(test::difference(to_data(build_mesh(data)), data), "");
+    EXPECT_EQ(test::difference(to_mesh_data(build_mesh(data)), data), "");
     data.points.setRandom(5, 3);
     data.dimension = 3;
-    EXPECT_EQ(test::difference(to_data(build_mesh(data)), data), "");
+    EXPECT_EQ(test::difference(to_mesh_data(build_mesh(data)), data), "");
 }
 
 TEST(BuildMesh, CarriesWhatItDoesNotKnow)
 {
     MeshData data = test::quad_square(2);
-    data.carried = {{"su2", "1 FFD box", "FFD_NBOX= 1\n"}};
-    const MeshData back = to_data(build_mesh(data));
-    ASSERT_EQ(back.carried.size(), 1U);
-    EXPECT_EQ(back.carried[0].format, "su2");
-    EXPECT_EQ(back.carried[0].what, "1 FFD box");
-    EXPECT_EQ(back.carried[0].text, "FFD_NBOX= 1\n");
+    data.sections = {{"su2", "1 FFD box", "FFD_NBOX= 1\n"}};
+    const MeshData back = to_mesh_data(build_mesh(data));
+    ASSERT_EQ(back.sections.size(), 1U);
+    EXPECT_EQ(back.sections[0].format, "su2");
+    EXPECT_EQ(back.sections[0].what, "1 FFD box");
+    EXPECT_EQ(back.sections[0].text, "FFD_NBOX= 1\n");
 }
 
 TEST(BuildMesh, KeepsGroupsWithTheirElements)
@@ -227,7 +227,7 @@ TEST(BuildMesh, KeepsGroupsWithTheirElements)
         const auto inside = static_cast<std::size_t>(mesh.groups[0].elements[i]);
         EXPECT_EQ(mesh.numbering.element[inside], data.groups[0].elements[i]);
     }
-    EXPECT_EQ(test::difference(data, to_data(mesh)), "");
+    EXPECT_EQ(test::difference(data, to_mesh_data(mesh)), "");
 }
 
 TEST(BuildMesh, KeepsTheDirectionOfMarkerEdges)
@@ -235,7 +235,7 @@ TEST(BuildMesh, KeepsTheDirectionOfMarkerEdges)
     MeshData data = test::uneven_square(4);
     data.markers = {{"mixed", {{1, 0}, {1, 2}, {6, 1}}}}; // against the boundary, along it, inside
     const Mesh mesh = build_mesh(data);
-    EXPECT_EQ(to_data(mesh).markers[0].edges, data.markers[0].edges);
+    EXPECT_EQ(to_mesh_data(mesh).markers[0].edges, data.markers[0].edges);
     for (const auto& [from, to] : mesh.markers[0].edges)
         EXPECT_TRUE(mesh.kernel.find_halfedge(VertexHandle(from), VertexHandle(to)).is_valid());
 }
@@ -254,7 +254,7 @@ TEST(BuildMesh, FindsMarkerEdgesAtAVertexOfManyElements)
     }
     const Mesh mesh = build_mesh(data);
     test::expect_sound(mesh);
-    EXPECT_EQ(test::difference(to_data(mesh), data), "");
+    EXPECT_EQ(test::difference(to_mesh_data(mesh), data), "");
 }
 
 TEST(BuildMesh, MakesTheSameBytesForAnyNumberOfThreads)
@@ -269,10 +269,10 @@ TEST(BuildMesh, MakesTheSameBytesForAnyNumberOfThreads)
         const Mesh many = build_mesh(data);
         EXPECT_EQ(many.numbering.vertex, one.numbering.vertex);
         EXPECT_EQ(many.numbering.element, one.numbering.element);
-        EXPECT_EQ(many.numbering.turned, one.numbering.turned);
+        EXPECT_EQ(many.numbering.reversed, one.numbering.reversed);
         EXPECT_EQ(element_table(many), element_table(one));
         EXPECT_TRUE(points(many) == points(one));
-        EXPECT_EQ(test::difference(to_data(many), data), "");
+        EXPECT_EQ(test::difference(to_mesh_data(many), data), "");
         for (const HalfedgeHandle h : one.kernel.halfedges()) {
             ASSERT_EQ(many.kernel.next_halfedge_handle(h), one.kernel.next_halfedge_handle(h));
             ASSERT_EQ(many.kernel.to_vertex_handle(h), one.kernel.to_vertex_handle(h));

@@ -54,7 +54,7 @@ TEST(Mesh, MovedPointsComeBackInTheOrderOfTheFile)
     const MeshData data = test::shuffled(mixed_square(), 2);
     Mesh mesh = build_mesh(data);
     points(mesh) *= 2;
-    EXPECT_EQ(to_data(mesh).points, data.points * 2);
+    EXPECT_EQ(to_mesh_data(mesh).points, data.points * 2);
 }
 
 TEST(Mesh, FindsAMarkerByName)

@@ -21,8 +21,8 @@ namespace {
 std::vector<Index> turned_elements(const Mesh& mesh)
 {
     std::vector<Index> ids;
-    for (std::size_t f = 0; f < mesh.numbering.turned.size(); ++f)
-        if (mesh.numbering.turned[f])
+    for (std::size_t f = 0; f < mesh.numbering.reversed.size(); ++f)
+        if (mesh.numbering.reversed[f])
             ids.push_back(mesh.numbering.element[f]);
     std::sort(ids.begin(), ids.end());
     return ids;
@@ -77,7 +77,7 @@ TEST(Orientation, TurnsWhatIsListedClockwise)
         const Mesh mesh = build_mesh(data);
         EXPECT_THAT(turned_elements(mesh), testing::ElementsAre(3, 4, 11));
         EXPECT_EQ(count_of_sign(mesh, 1), data.elements.size());
-        EXPECT_EQ(test::difference(to_data(mesh), data), "");
+        EXPECT_EQ(test::difference(to_mesh_data(mesh), data), "");
     }
 }
 

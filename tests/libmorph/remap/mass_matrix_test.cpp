@@ -2,7 +2,7 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
-#include "libmorph/remap/pieces.h"
+#include "libmorph/remap/convex_parts.h"
 #include "tests/support/meshes.h"
 
 #include <Eigen/Dense>
@@ -30,8 +30,8 @@ Problem problem(Index left_out)
     made.dense = Eigen::MatrixXd::Zero(n, n);
     for (Index f = 0; f < element_count(made.mesh); ++f) {
         made.first_piece.push_back(2 * f);
-        for (const Pieces pieces = cut_element(made.mesh, f, Cut::triangles);
-             const Piece& piece : pieces.all()) {
+        for (const ConvexParts pieces = split_convex(made.mesh, f, Cut::triangles);
+             const ConvexPart& piece : pieces.all()) {
             const bool out = static_cast<Index>(made.masses.size()) < left_out;
             const double a = out ? 0 : piece.area;
             made.masses.push_back({a / 6, a / 12, a / 12, a / 6, a / 12, a / 6});

@@ -56,7 +56,7 @@ Matrix carried(const Mesh& source, const Field& field, const Mesh& target, const
     const std::vector<const Field*> fields{&field};
     Mesh result = target;
     result.fields = Remapper(locator, target, settings).carry(fields);
-    return to_data(result).fields[0].values;
+    return to_mesh_data(result).fields[0].values;
 }
 
 TEST(Remapper, InterpolatesInsideAndWeighsTargetsInsideByInverseDistanceOutside)
@@ -228,7 +228,7 @@ TEST(Remapper, ProjectsOnSurfacesAtSecondOrderAndTellsTheDistance)
         Remapper remapper(locator, target);
         const Matrix values = remapper.carry(fields)[0].values;
         errors.push_back((values - points(target).col(2)).cwiseAbs().maxCoeff());
-        const Sites& sites = remapper.sites(FieldLocation::vertex);
+        const TargetLocations& sites = remapper.sites(FieldLocation::vertex);
         EXPECT_TRUE(sites.outside.empty());
         const double sagitta = 1 - std::cos(std::numbers::pi / rings / 2);
         const double farthest = *std::max_element(sites.distance.begin(), sites.distance.end());
@@ -252,7 +252,7 @@ TEST(Remapper, OnAnOpenSurfaceCountsWhatLiesBeyondTheRimAsOutside)
     const std::vector<const Field*> fields{&field};
     Mesh result = target;
     result.fields = remapper.carry(fields);
-    const Matrix values = to_data(result).fields[0].values;
+    const Matrix values = to_mesh_data(result).fields[0].values;
     EXPECT_NEAR(values(0, 0), linear(0.55, 0.5), 1e-14);
     EXPECT_NEAR(values(1, 0), linear(1, 0.5), 1e-14);
     ASSERT_EQ(remapper.sites(FieldLocation::vertex).outside.size(), 1U);

@@ -38,7 +38,7 @@ struct Case {
     }
 
     Mesh mesh;
-    Stars stars;
+    VertexStars stars;
     std::vector<char> held;
     Patch patch;
     PlanePositions x;
@@ -158,7 +158,7 @@ TEST(PatchEnergy, IsTheSameForAnyNumberOfThreads)
 TEST(FindPatches, TakesTheRingsAroundAnElementAndNoMore)
 {
     const Mesh mesh = build_mesh(test::quad_square(9));
-    const Stars stars(mesh);
+    const VertexStars stars(mesh);
     const std::vector<char> held(stars.vertex_of.size());
     const auto near = [&](double x, double y) {
         for (Index f = 0; f < element_count(mesh); ++f) {

@@ -219,7 +219,7 @@ TEST(Untangle, ReachesThePublishedQualityAroundATurnedBlock)
 
 TEST(Untangle, RepairsAnInteriorThatWasLeftBehindAltogether)
 {
-    // The hole of a ring moves by half its radius and turns by 30 degrees; what is around it stays. Patches
+    // The hole of a ring moves by half its radius and turns by 30 degrees; what is around it stays. VertexLists
     // around the tangle cannot give way that far.
     const Mesh mesh = build_mesh(test::annulus(1, 10, 60, 20));
     const auto held = boundary_vertices(mesh);
@@ -276,7 +276,7 @@ TEST(Untangle, ReportsTheElementsThatHeldVerticesMakeHopeless)
     const Points before = x;
     const UntangleResult result = untangle(mesh, points(mesh), held, x);
     EXPECT_FALSE(result.valid);
-    EXPECT_EQ(result.hopeless, std::vector<Index>{upside_down});
+    EXPECT_EQ(result.unrepairable, std::vector<Index>{upside_down});
     EXPECT_TRUE(std::binary_search(result.inverted.begin(), result.inverted.end(), upside_down));
     EXPECT_EQ(result.inverted, inverted_elements(mesh, x));
     expect_held(held, before, x);
@@ -304,7 +304,7 @@ TEST(Untangle, RepairsTheRestBesideAHopelessElement)
     }
     ASSERT_GE(flat, 0);
     const UntangleResult result = untangle(mesh, points(mesh), held, x);
-    EXPECT_EQ(result.hopeless, std::vector<Index>{flat});
+    EXPECT_EQ(result.unrepairable, std::vector<Index>{flat});
     EXPECT_EQ(result.inverted, std::vector<Index>{flat});
 }
 
@@ -374,7 +374,7 @@ TEST(Untangle, GivesUpSoonerWithoutAFreshStart)
     Points with = moved, without = moved;
     UntangleOptions options;
     const UntangleResult more = untangle(mesh, points(mesh), held, with, options);
-    options.fresh_start = false;
+    options.reinitialize = false;
     const UntangleResult less = untangle(mesh, points(mesh), held, without, options);
     EXPECT_FALSE(more.valid);
     EXPECT_FALSE(less.valid);

@@ -79,8 +79,8 @@ template <typename Make, typename Exact>
 double error_of(Index around, const Make& make, const Exact& exact)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(kInner, kOuter, around));
-    const HeldBoundary held = whole_boundary(mesh, "inner");
-    const Matrix u = make(mesh, held)->spread(values_at(mesh, held.vertices, exact));
+    const DirichletBoundary held = whole_boundary(mesh, "inner");
+    const Matrix u = make(mesh, held)->extend(values_at(mesh, held.vertices, exact));
     return (u - values_at(mesh, exact)).norm() / std::sqrt(static_cast<double>(u.rows()));
 }
 
@@ -97,12 +97,12 @@ void expect_convergence(const Make& make, const Exact& exact)
 
 TEST(BiharmonicSpread, ConvergesToTheFunctionThatIsFlatAtBothCircles)
 {
-    expect_convergence(biharmonic_spread, flat_at_both);
+    expect_convergence(biharmonic_extension, flat_at_both);
 }
 
 TEST(ConformalBiharmonicSpread, ConvergesToTheMoveOfACircleThatTurns)
 {
-    expect_convergence(conformal_biharmonic_spread, turned);
+    expect_convergence(conformal_biharmonic_extension, turned);
 }
 
 Eigen::RowVector2d one_and_waves(double x, double y)
@@ -115,9 +115,9 @@ TEST(BiharmonicSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsConstants)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = whole_boundary(mesh, mesh.markers.front().name);
+        const DirichletBoundary held = whole_boundary(mesh, mesh.markers.front().name);
         const Matrix values = values_at(mesh, held.vertices, one_and_waves);
-        const Matrix u = biharmonic_spread(mesh, held)->spread(values);
+        const Matrix u = biharmonic_extension(mesh, held)->extend(values);
         EXPECT_EQ(u(held.vertices, Eigen::all), values);
         EXPECT_TRUE(u.allFinite());
         EXPECT_LE((u.col(0).array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kSolveTol);
@@ -132,9 +132,10 @@ TEST(ConformalBiharmonicSpread, TurnsAndScalesEveryRealMeshWithItsBoundary)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = whole_boundary(mesh, mesh.markers.front().name);
+        const DirichletBoundary held = whole_boundary(mesh, mesh.markers.front().name);
         const Matrix exact = values_at(mesh, similar);
-        const Points2 u = conformal_biharmonic_spread(mesh, held)->spread(exact(held.vertices, Eigen::all));
+        const Points2 u =
+            conformal_biharmonic_extension(mesh, held)->extend(exact(held.vertices, Eigen::all));
         EXPECT_LE((u - exact).norm(), kSolveTol * exact.norm());
     }
 }
@@ -146,16 +147,16 @@ TEST(ConformalBiharmonicSpread, TurnsAnAirfoilWithoutInvertedElements)
     for (const auto& [file, airfoil] : meshes) {
         SCOPED_TRACE(file);
         const Mesh mesh = read_mesh(test::data_path("meshes/" + file + ".su2"));
-        const HeldBoundary held = whole_boundary(mesh, airfoil);
+        const DirichletBoundary held = whole_boundary(mesh, airfoil);
         const auto turn = [&](double degrees) {
             return Points2(values_at(mesh, held.vertices, test::turned_airfoil(degrees)));
         };
-        const auto conformal = conformal_biharmonic_spread(mesh, held);
+        const auto conformal = conformal_biharmonic_extension(mesh, held);
         for (const double degrees : {5.0, 20.0, 45.0, 90.0, 120.0})
-            EXPECT_EQ(test::inverted_by(mesh, conformal->spread(turn(degrees))), 0) << degrees;
-        const auto flat = biharmonic_spread(mesh, held);
-        EXPECT_EQ(test::inverted_by(mesh, flat->spread(turn(45))), 0);
-        EXPECT_GT(test::inverted_by(mesh, flat->spread(turn(90))), 100);
+            EXPECT_EQ(test::inverted_by(mesh, conformal->extend(turn(degrees))), 0) << degrees;
+        const auto flat = biharmonic_extension(mesh, held);
+        EXPECT_EQ(test::inverted_by(mesh, flat->extend(turn(45))), 0);
+        EXPECT_GT(test::inverted_by(mesh, flat->extend(turn(90))), 100);
     }
 }
 
@@ -178,7 +179,7 @@ struct WalledSquare {
 
     static constexpr Index kCells = 12;
     Mesh mesh;
-    HeldBoundary held;
+    DirichletBoundary held;
 };
 
 TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
@@ -188,15 +189,15 @@ TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
         return Eigen::RowVectorXd::Constant(1, x < 0.3 ? 1.0 : 0.0);
     };
     const auto values = values_at(square.mesh, square.held.vertices, left_only);
-    const auto beyond = [&](const HeldBoundary& held) {
-        const Matrix u = biharmonic_spread(square.mesh, held)->spread(values);
+    const auto beyond = [&](const DirichletBoundary& held) {
+        const Matrix u = biharmonic_extension(square.mesh, held)->extend(values);
         double sum = 0;
         for (Index v = 0; v < u.rows(); ++v)
             sum += points(square.mesh)(v, 0) > 0.6 ? std::abs(u(v, 0)) : 0;
         return sum;
     };
     EXPECT_EQ(beyond(square.held), 0);
-    HeldBoundary one_sided = square.held;
+    DirichletBoundary one_sided = square.held;
     one_sided.walls.clear(); // values only: the slope at the line carries over
     EXPECT_GT(beyond(one_sided), 0.01);
 }
@@ -204,47 +205,48 @@ TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
 TEST(BiharmonicSpread, DoesNotDependOnTheUnitOfLengthOrTheAxes)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(kInner, kOuter, 40));
-    const HeldBoundary held = whole_boundary(mesh, "inner");
+    const DirichletBoundary held = whole_boundary(mesh, "inner");
     const Matrix values = values_at(mesh, held.vertices, one_and_waves);
-    const Matrix u = biharmonic_spread(mesh, held)->spread(values);
+    const Matrix u = biharmonic_extension(mesh, held)->extend(values);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
     for (const double scale : {1e-6, 1e6}) {
         Mesh other = mesh;
         points(other).leftCols<2>() = scale * (points(mesh).leftCols<2>() * turn);
-        EXPECT_LE((biharmonic_spread(other, held)->spread(values) - u).norm(), kSolveTol * u.norm()) << scale;
+        EXPECT_LE((biharmonic_extension(other, held)->extend(values) - u).norm(), kSolveTol * u.norm())
+            << scale;
     }
 }
 
 TEST(BiharmonicSpread, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(kInner, kOuter, 180));
-    const HeldBoundary held = whole_boundary(mesh, "inner");
+    const DirichletBoundary held = whole_boundary(mesh, "inner");
     const Matrix values = values_at(mesh, held.vertices, one_and_waves);
     set_thread_count(1);
-    const Matrix alone = biharmonic_spread(mesh, held)->spread(values);
+    const Matrix alone = biharmonic_extension(mesh, held)->extend(values);
     set_thread_count(3);
-    EXPECT_EQ(biharmonic_spread(mesh, held)->spread(values), alone);
+    EXPECT_EQ(biharmonic_extension(mesh, held)->extend(values), alone);
     set_thread_count(0);
 }
 
 TEST(BiharmonicSpread, TakesTheCopiesOfASplitVertexAsOneUnknown)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
-    HeldBoundary held; // through the shared corner it holds both squares
+    DirichletBoundary held; // through the shared corner it holds both squares
     held.vertices = {0};
-    const Matrix u = biharmonic_spread(mesh, held)->spread(Matrix::Constant(1, 1, 2.0));
+    const Matrix u = biharmonic_extension(mesh, held)->extend(Matrix::Constant(1, 1, 2.0));
     EXPECT_LE((u.array() - 2).abs().maxCoeff<Eigen::PropagateNaN>(), kSolveTol);
 }
 
 TEST(BiharmonicSpread, RefusesWhatMakesNoSense)
 {
     const Mesh mesh = build_mesh(test::uneven_square(6));
-    const HeldBoundary held = whole_boundary(mesh, "top");
-    EXPECT_THROW(biharmonic_spread(mesh, {}), InputError);
-    EXPECT_THROW(biharmonic_spread(mesh, held)->spread(Matrix::Zero(2, 2)), InputError);
+    const DirichletBoundary held = whole_boundary(mesh, "top");
+    EXPECT_THROW(biharmonic_extension(mesh, {}), InputError);
+    EXPECT_THROW(biharmonic_extension(mesh, held)->extend(Matrix::Zero(2, 2)), InputError);
     Mesh tangled = mesh;
     points(tangled).col(0) *= -1;
-    EXPECT_THROW(biharmonic_spread(tangled, held), InputError);
+    EXPECT_THROW(biharmonic_extension(tangled, held), InputError);
 }
 
 } // namespace

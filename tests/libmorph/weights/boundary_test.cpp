@@ -32,8 +32,8 @@ const Curve kRight = line(1, 0, 1, 1);
 
 struct Corner {
     Mesh mesh = build_mesh(test::uneven_square(6));
-    std::vector<CurveBoundary> boundaries{place_on_curve(mesh, "bottom", kBottom),
-                                          place_on_curve(mesh, "right", kRight)};
+    std::vector<CurveBoundary> boundaries{parametrize_marker(mesh, "bottom", kBottom),
+                                          parametrize_marker(mesh, "right", kRight)};
     BoundaryConditions conditions = boundary_conditions(mesh, boundaries, {"top", "left"});
 
     std::string complaint(const Points2& displacements) const
@@ -55,7 +55,7 @@ Index vertex_at(const Mesh& mesh, double x, double y)
     return -1;
 }
 
-Eigen::RowVectorXd held_row(const BoundaryConditions& conditions, Index vertex)
+Eigen::RowVectorXd dirichlet_row(const BoundaryConditions& conditions, Index vertex)
 {
     for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
         if (conditions.held.vertices[i] == vertex)
@@ -75,7 +75,7 @@ TEST(BoundaryConditions, HoldEveryBoundaryVertexOnce)
 TEST(BoundaryConditions, SplitAVertexThatTwoCurvesEndIn)
 {
     const Corner corner;
-    const auto row = held_row(corner.conditions, vertex_at(corner.mesh, 1, 0));
+    const auto row = dirichlet_row(corner.conditions, vertex_at(corner.mesh, 1, 0));
     ASSERT_EQ(row.size(), 8);
     EXPECT_NEAR(row(3), 0.5, kRoundOff);
     EXPECT_NEAR(row(4), 0.5, kRoundOff);
@@ -85,8 +85,8 @@ TEST(BoundaryConditions, SplitAVertexThatTwoCurvesEndIn)
 TEST(BoundaryConditions, KeepAVertexFixedThatAFixedMarkerSharesWithACurve)
 {
     const Corner corner;
-    EXPECT_EQ(held_row(corner.conditions, vertex_at(corner.mesh, 0, 0)).norm(), 0);
-    EXPECT_EQ(held_row(corner.conditions, vertex_at(corner.mesh, 1, 1)).norm(), 0);
+    EXPECT_EQ(dirichlet_row(corner.conditions, vertex_at(corner.mesh, 0, 0)).norm(), 0);
+    EXPECT_EQ(dirichlet_row(corner.conditions, vertex_at(corner.mesh, 1, 1)).norm(), 0);
 }
 
 TEST(BoundaryConditions, RefuseAMarkerThatIsFixedAndCarried)
@@ -101,7 +101,7 @@ TEST(BoundaryConditions, HoldVerticesThatNoMarkerNames)
     MeshData data = test::uneven_square(6);
     data.markers.resize(1); // only "bottom" is left
     const Mesh mesh = build_mesh(data);
-    const auto conditions = boundary_conditions(mesh, {place_on_curve(mesh, "bottom", kBottom)}, {});
+    const auto conditions = boundary_conditions(mesh, {parametrize_marker(mesh, "bottom", kBottom)}, {});
     EXPECT_EQ(conditions.unmarked, 17);
     EXPECT_EQ(conditions.held.vertices.size(), 24U);
 }
@@ -142,13 +142,13 @@ TEST(RequireEndsTogether, TreatsAnOpenCurveAroundAClosedMarkerAlike)
     const Mesh mesh = build_mesh(test::annulus(1, 3, 32, 4));
     CurveDefinition square{.degree = 1, .closed = false, .control_points = Points2(5, 2)};
     square.control_points << 1, 0, 0, 1, -1, 0, 0, -1, 1, 0;
-    const std::vector<CurveBoundary> boundaries{place_on_curve(mesh, "inner", Curve(square))};
+    const std::vector<CurveBoundary> boundaries{parametrize_marker(mesh, "inner", Curve(square))};
     const BoundaryConditions conditions = boundary_conditions(mesh, boundaries, {"outer"});
     Points2 moves = Points2::Constant(5, 2, 0.1);
     EXPECT_NO_THROW(require_ends_together(mesh, boundaries, conditions, moves));
     moves(4, 0) = 0.2;
     EXPECT_THROW(require_ends_together(mesh, boundaries, conditions, moves), InputError);
-    const auto row = held_row(conditions, vertex_at(mesh, 1, 0));
+    const auto row = dirichlet_row(conditions, vertex_at(mesh, 1, 0));
     EXPECT_NEAR(row(0), 0.5, kRoundOff);
     EXPECT_NEAR(row(4), 0.5, kRoundOff);
 }
@@ -176,7 +176,7 @@ TEST(HarmonicCurveWeights, MoveTheCopiesOfASplitVertexTogether)
     Mesh mesh = build_mesh(data);
     ASSERT_EQ(vertex_count(mesh), mesh.numbering.file_vertices + 1);
     const Curve curve = line(0, 1, 2, 1);
-    EXPECT_EQ(place_on_curve(mesh, "through", curve).vertices.size(), 9U);
+    EXPECT_EQ(parametrize_marker(mesh, "through", curve).vertices.size(), 9U);
     const Weights weights = harmonic_curve_weights(mesh, {{"through", curve}});
     Matrix moves = Matrix::Zero(4, 2);
     moves.row(1) << 0, 0.1;

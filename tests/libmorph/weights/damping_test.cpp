@@ -19,7 +19,7 @@ namespace {
 using namespace morph;
 using test::boundary_displacement;
 using test::difference;
-using test::held_boundary;
+using test::dirichlet_boundary;
 using testing::HasSubstr;
 
 constexpr double kRounding = 1e-14;
@@ -34,9 +34,9 @@ TEST(DampingSpread, IsTheFormulaInARing)
     // The boundary is two polygons of 200 sides, which lie a little inside their circles.
     const Mesh mesh = build_mesh(test::annulus(0.5, 3, 200, 20));
     constexpr double kSagitta = 3 * 1.3e-4;
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
-    const Matrix moved = damping_spread(mesh, held)->spread(d);
+    const Matrix moved = damping_extension(mesh, held)->extend(d);
     for (Index v = 0; v < vertex_count(mesh); ++v) {
         const double x = points(mesh)(v, 0), y = points(mesh)(v, 1), r = std::hypot(x, y);
         const double inner = r - 0.5, outer = 3 - r;
@@ -48,9 +48,9 @@ TEST(DampingSpread, IsTheFormulaInARing)
 TEST(DampingSpread, FollowsAMovingWallLinearlyAlongItsEdges)
 {
     const Mesh mesh = build_mesh(test::uneven_square(6));
-    HeldBoundary held = held_boundary(mesh, {"bottom"});
+    DirichletBoundary held = dirichlet_boundary(mesh, {"bottom"});
     const auto affine = [](double x, double) { return Eigen::RowVector2d(1 + x, 3 * x); };
-    const Matrix moved = damping_spread(mesh, held)->spread(boundary_displacement(mesh, held, affine));
+    const Matrix moved = damping_extension(mesh, held)->extend(boundary_displacement(mesh, held, affine));
     for (Index v = 0; v < vertex_count(mesh); ++v) {
         const double x = points(mesh)(v, 0), y = points(mesh)(v, 1);
         const double still = std::min({x, 1 - x, 1 - y});
@@ -71,26 +71,26 @@ TEST(DampingSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = held_boundary(mesh, {mesh.markers.front().name});
-        const auto spread = damping_spread(mesh, held);
+        const DirichletBoundary held = dirichlet_boundary(mesh, {mesh.markers.front().name});
+        const auto extension = damping_extension(mesh, held);
         const Matrix d = boundary_displacement(mesh, held, wavy);
-        const Matrix moved = spread->spread(d);
+        const Matrix moved = extension->extend(d);
         EXPECT_EQ(moved(held.vertices, Eigen::all), d);
         EXPECT_LE(moved.col(1).maxCoeff<Eigen::PropagateNaN>(), d.col(1).maxCoeff() + kRounding);
         EXPECT_GE(moved.col(1).minCoeff<Eigen::PropagateNaN>(), d.col(1).minCoeff() - kRounding);
         const Matrix one = Matrix::Ones(d.rows(), 1);
-        EXPECT_LE(difference(spread->spread(one), Matrix::Ones(vertex_count(mesh), 1)), kRounding);
+        EXPECT_LE(difference(extension->extend(one), Matrix::Ones(vertex_count(mesh), 1)), kRounding);
     }
 }
 
 TEST(DampingSpread, OfOneKindOfBoundaryTakesItsNearestValue)
 {
     const Mesh mesh = build_mesh(test::uneven_square(5));
-    HeldBoundary held = held_boundary(mesh, {"bottom", "right", "top", "left"});
+    DirichletBoundary held = dirichlet_boundary(mesh, {"bottom", "right", "top", "left"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
-    const Matrix all_move = damping_spread(mesh, held)->spread(d);
+    const Matrix all_move = damping_extension(mesh, held)->extend(d);
     held.moving_edges.clear();
-    EXPECT_LE(difference(damping_spread(mesh, held)->spread(d), all_move), kRounding);
+    EXPECT_LE(difference(damping_extension(mesh, held)->extend(d), all_move), kRounding);
     EXPECT_GT(all_move.rowwise().norm().minCoeff(), 0);
 }
 
@@ -98,12 +98,12 @@ TEST(DampingSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElement
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
-        const HeldBoundary held = held_boundary(mesh, {body});
-        const auto spread = damping_spread(mesh, held);
+        const DirichletBoundary held = dirichlet_boundary(mesh, {body});
+        const auto extension = damping_extension(mesh, held);
         for (const double degrees : {5, 20, 45, 90, 120}) {
             SCOPED_TRACE(file + (" by " + std::to_string(degrees)));
             const Matrix d = boundary_displacement(mesh, held, test::turn(degrees, {0.5, 0}));
-            EXPECT_EQ(test::inverted_after(mesh, spread_with_rotations(*spread, mesh, held, d)), 0);
+            EXPECT_EQ(test::inverted_after(mesh, extend_with_rotations(*extension, mesh, held, d)), 0);
         }
     }
 }
@@ -111,23 +111,23 @@ TEST(DampingSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElement
 TEST(DampingSpread, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"cylinder"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
     set_thread_count(1);
-    const Matrix alone = damping_spread(mesh, held)->spread(d);
+    const Matrix alone = damping_extension(mesh, held)->extend(d);
     set_thread_count(3);
-    EXPECT_EQ(damping_spread(mesh, held)->spread(d), alone);
+    EXPECT_EQ(damping_extension(mesh, held)->extend(d), alone);
     set_thread_count(0);
 }
 
 TEST(DampingSpread, RefusesWhatMakesNoSense)
 {
     const Mesh mesh = build_mesh(test::uneven_square(4));
-    HeldBoundary held = held_boundary(mesh, {"top"});
-    EXPECT_THAT(test::message_of([&] { damping_spread(mesh, {}); }), HasSubstr("no vertex is held"));
-    EXPECT_THROW(damping_spread(mesh, held)->spread(Matrix::Zero(3, 2)), InputError);
+    DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
+    EXPECT_THAT(test::message_of([&] { damping_extension(mesh, {}); }), HasSubstr("no vertex is held"));
+    EXPECT_THROW(damping_extension(mesh, held)->extend(Matrix::Zero(3, 2)), InputError);
     std::erase(held.vertices, held.moving_edges[1][0]);
-    EXPECT_THAT(test::message_of([&] { damping_spread(mesh, held); }), HasSubstr("but it is not held"));
+    EXPECT_THAT(test::message_of([&] { damping_extension(mesh, held); }), HasSubstr("but it is not held"));
 }
 
 } // namespace

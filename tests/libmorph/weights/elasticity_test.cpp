@@ -28,14 +28,14 @@ INSTANTIATE_TEST_SUITE_P(Squares, ElasticSpreadOf, testing::Values(&test::uneven
 TEST_P(ElasticSpreadOf, ASquareFollowsEveryAffineMoveOfItsBoundary)
 {
     const Mesh mesh = build_mesh(GetParam()(12));
-    const HeldBoundary held = whole_boundary(mesh, "top");
+    const DirichletBoundary held = whole_boundary(mesh, "top");
     const auto affine = [](double x, double y) {
         return Eigen::RowVector2d(0.1 + 0.5 * x - 2 * y, -3 + 0.4 * x + 0.9 * y);
     };
     for (const double ratio : {-0.9, 0.0, 0.3, 0.49}) {
-        const auto spread = elastic_spread(mesh, held, {YoungsModulus::uniform, ratio});
+        const auto extension = elastic_extension(mesh, held, {YoungsModulus::uniform, ratio});
         const Matrix exact = values_at(mesh, affine);
-        EXPECT_LE((spread->spread(values_at(mesh, held.vertices, affine)) - exact).norm(),
+        EXPECT_LE((extension->extend(values_at(mesh, held.vertices, affine)) - exact).norm(),
                   kSolveTol * exact.norm())
             << ratio;
     }
@@ -57,9 +57,9 @@ Eigen::RowVector2d without_force(double x, double y)
 double error_of(const MeshData& data)
 {
     const Mesh mesh = build_mesh(data);
-    const HeldBoundary held = whole_boundary(mesh, "top");
-    const auto spread = elastic_spread(mesh, held, {YoungsModulus::uniform, kRatio});
-    const Points2 u = spread->spread(values_at(mesh, held.vertices, without_force));
+    const DirichletBoundary held = whole_boundary(mesh, "top");
+    const auto extension = elastic_extension(mesh, held, {YoungsModulus::uniform, kRatio});
+    const Points2 u = extension->extend(values_at(mesh, held.vertices, without_force));
     return (u - values_at(mesh, without_force)).norm() / std::sqrt(static_cast<double>(u.rows()));
 }
 
@@ -80,13 +80,13 @@ TEST(ElasticSpread, HasTheStiffnessOfBilinearQuads)
     MeshData data = test::quad_square(2);
     data.points.row(4) << 0.5, 0.5, 0;
     const Mesh mesh = build_mesh(data);
-    const HeldBoundary held = whole_boundary(mesh, "top");
+    const DirichletBoundary held = whole_boundary(mesh, "top");
     const auto corner_pulled = [](double x, double y) {
         return Eigen::RowVector2d(x == 1 && y == 1 ? 1 : 0, 0);
     };
     const double ratio = 0.25; // lambda = mu
-    const Points2 u = elastic_spread(mesh, held, {YoungsModulus::uniform, ratio})
-                          ->spread(values_at(mesh, held.vertices, corner_pulled));
+    const Points2 u = elastic_extension(mesh, held, {YoungsModulus::uniform, ratio})
+                          ->extend(values_at(mesh, held.vertices, corner_pulled));
     for (Index v = 0; v < 9; ++v)
         if (!mesh.kernel.is_boundary(VertexHandle(v))) {
             EXPECT_LE((u.row(v) - Eigen::RowVector2d(1.0 / 8, 3.0 / 32)).norm(), 1e-15);
@@ -97,9 +97,9 @@ TEST(ElasticSpread, HasTheStiffnessOfBilinearQuads)
 Index inverted_by_turning(const std::string& file, double degrees, YoungsModulus modulus)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/" + file + ".su2"));
-    const HeldBoundary held = whole_boundary(mesh, "airfoil");
+    const DirichletBoundary held = whole_boundary(mesh, "airfoil");
     const Points2 turned = values_at(mesh, held.vertices, test::turned_airfoil(degrees));
-    return test::inverted_by(mesh, elastic_spread(mesh, held, {modulus, 0.3})->spread(turned));
+    return test::inverted_by(mesh, elastic_extension(mesh, held, {modulus, 0.3})->extend(turned));
 }
 
 TEST(ElasticSpread, TurnsAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
@@ -115,15 +115,15 @@ TEST(ElasticSpread, RefusesWhatIsNoSolidAtRest)
 {
     MeshData data = test::uneven_square(6);
     const Mesh mesh = build_mesh(data);
-    const HeldBoundary held = whole_boundary(mesh, "top");
+    const DirichletBoundary held = whole_boundary(mesh, "top");
     for (const double ratio : {-1.0, 0.5, std::nan("")})
-        EXPECT_THROW(elastic_spread(mesh, held, {YoungsModulus::uniform, ratio}), InputError);
-    HeldBoundary still = held;
+        EXPECT_THROW(elastic_extension(mesh, held, {YoungsModulus::uniform, ratio}), InputError);
+    DirichletBoundary still = held;
     still.moving_edges.clear();
-    EXPECT_THROW(elastic_spread(mesh, still, {YoungsModulus::inverse_distance, 0.3}), InputError);
-    HeldBoundary hinged;
+    EXPECT_THROW(elastic_extension(mesh, still, {YoungsModulus::inverse_distance, 0.3}), InputError);
+    DirichletBoundary hinged;
     hinged.vertices = {held.vertices.front()};
-    EXPECT_THAT(test::message_of([&] { elastic_spread(mesh, hinged, {}); }),
+    EXPECT_THAT(test::message_of([&] { elastic_extension(mesh, hinged, {}); }),
                 testing::StartsWith("1 part of the mesh has fewer than 2 held vertices"));
     Mesh tangled = mesh;
     for (Index v = 0; v < vertex_count(mesh); ++v)
@@ -131,7 +131,7 @@ TEST(ElasticSpread, RefusesWhatIsNoSolidAtRest)
             points(tangled)(v, 0) += 0.4;
             break;
         }
-    EXPECT_THROW(elastic_spread(tangled, held, {}), InputError);
+    EXPECT_THROW(elastic_extension(tangled, held, {}), InputError);
 }
 
 } // namespace

@@ -178,12 +178,12 @@ TEST_P(HarmonicWeightsFor, OneFactorisationServesFurtherRightHandSides)
 {
     const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
     const HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
-    const auto spread =
-        harmonic_spread(mesh, {problem.held.vertices, problem.moving_edges, problem.walls}, GetParam());
+    const auto extension =
+        harmonic_extension(mesh, {problem.held.vertices, problem.moving_edges, problem.walls}, GetParam());
     for (const double factor : {1.0, 3.0}) {
         HarmonicProblem scaled = problem;
         scaled.held.values = factor * problem.held.values.rightCols(2);
-        EXPECT_EQ(spread->spread(scaled.held.values), solve(mesh, scaled)) << factor;
+        EXPECT_EQ(extension->extend(scaled.held.values), solve(mesh, scaled)) << factor;
     }
 }
 

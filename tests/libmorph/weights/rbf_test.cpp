@@ -23,7 +23,7 @@ namespace {
 using namespace morph;
 using test::boundary_displacement;
 using test::difference;
-using test::held_boundary;
+using test::dirichlet_boundary;
 using testing::HasSubstr;
 
 // Linear terms are split off by reflections, so that an affine move leaves nothing for the functions but
@@ -48,7 +48,7 @@ Eigen::RowVector2d wavy(double x, double y)
 }
 
 /// @p move at the held vertices, whether they move or not.
-Matrix at_held(const Mesh& mesh, const HeldBoundary& held, const test::Move& move)
+Matrix at_held(const Mesh& mesh, const DirichletBoundary& held, const test::Move& move)
 {
     return test::displacement_everywhere(mesh, move)(held.vertices, Eigen::all);
 }
@@ -73,7 +73,7 @@ double phi(RadialFunction function, double q)
 }
 
 /// The interpolant of the values @p d of some centres at points, without more.
-Matrix uncorrected(const Mesh& mesh, const HeldBoundary& held, const Matrix& d,
+Matrix uncorrected(const Mesh& mesh, const DirichletBoundary& held, const Matrix& d,
                    const std::vector<Index>& centres, const Points& at)
 {
     Matrix values(static_cast<Index>(centres.size()), d.cols());
@@ -118,9 +118,9 @@ TEST_P(RbfSpreadWith, IsExactOnTheBoundaryOfEveryRealMesh)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = held_boundary(mesh, body(mesh));
+        const DirichletBoundary held = dirichlet_boundary(mesh, body(mesh));
         const Matrix d = boundary_displacement(mesh, held, wavy);
-        const Matrix moved = rbf_spread(mesh, held, options())->spread(d);
+        const Matrix moved = rbf_extension(mesh, held, options())->extend(d);
         EXPECT_EQ(moved(held.vertices, Eigen::all), d);
     }
 }
@@ -128,18 +128,18 @@ TEST_P(RbfSpreadWith, IsExactOnTheBoundaryOfEveryRealMesh)
 TEST_P(RbfSpreadWith, CarriesAffineMovesAndConstantsExactly)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_lam_hybrid.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"airfoil"});
-    const auto spread = rbf_spread(mesh, held, options());
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
+    const auto extension = rbf_extension(mesh, held, options());
     const Matrix expected = test::displacement_everywhere(mesh, affine); // values to some 25
-    EXPECT_LE(difference(spread->spread(at_held(mesh, held, affine)), expected), kAffineTol);
+    EXPECT_LE(difference(extension->extend(at_held(mesh, held, affine)), expected), kAffineTol);
     const Matrix one = Matrix::Ones(static_cast<Index>(held.vertices.size()), 1);
-    EXPECT_LE(difference(spread->spread(one), Matrix::Ones(vertex_count(mesh), 1)), kAffineTol);
+    EXPECT_LE(difference(extension->extend(one), Matrix::Ones(vertex_count(mesh), 1)), kAffineTol);
 }
 
 TEST_P(RbfSpreadWith, AgreesWithTheSystemSolvedAsItStands)
 {
     const Mesh mesh = build_mesh(test::uneven_square(4));
-    const HeldBoundary held = held_boundary(mesh, {"top"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
     const auto k = static_cast<Index>(held.vertices.size());
     constexpr double kSupport = 0.6; // Gauss's matrix is far from singular, too
     const auto x = points(mesh);
@@ -160,7 +160,7 @@ TEST_P(RbfSpreadWith, AgreesWithTheSystemSolvedAsItStands)
     }
     const Eigen::MatrixXd c = A.fullPivLu().solve(b);
     const Matrix moved =
-        rbf_spread(mesh, held, {GetParam(), kSupport, true})->spread(at_held(mesh, held, wavy));
+        rbf_extension(mesh, held, {GetParam(), kSupport, true})->extend(at_held(mesh, held, wavy));
     for (Index v = 0; v < vertex_count(mesh); ++v)
         EXPECT_LE(difference(moved.row(v), row(v) * c), kSmallTol) << v;
 }
@@ -169,11 +169,11 @@ TEST_P(RbfSpreadWith, TurnsAirfoilsBy45DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
-        const HeldBoundary held = held_boundary(mesh, {body});
-        const auto spread = rbf_spread(mesh, held, options());
+        const DirichletBoundary held = dirichlet_boundary(mesh, {body});
+        const auto extension = rbf_extension(mesh, held, options());
         for (const double degrees : {10, 45}) {
             const Matrix d = boundary_displacement(mesh, held, test::turn(degrees, {0.5, 0}));
-            EXPECT_EQ(test::inverted_after(mesh, spread->spread(d)), 0) << file << degrees;
+            EXPECT_EQ(test::inverted_after(mesh, extension->extend(d)), 0) << file << degrees;
         }
     }
 }
@@ -182,20 +182,20 @@ TEST(RbfSpread, OfWendlandsC2TurnsAirfoilsBy120Degrees)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
-        const HeldBoundary held = held_boundary(mesh, {body});
+        const DirichletBoundary held = dirichlet_boundary(mesh, {body});
         const Matrix d = boundary_displacement(mesh, held, test::turn(120, {0.5, 0}));
-        EXPECT_EQ(test::inverted_after(mesh, rbf_spread(mesh, held)->spread(d)), 0) << file;
+        EXPECT_EQ(test::inverted_after(mesh, rbf_extension(mesh, held)->extend(d)), 0) << file;
     }
 }
 
 TEST(RbfSpread, SaysWhenASmoothFunctionMissesABoundaryThatTears)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_multiffd.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"airfoil_lower"}); // away from the upper side
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil_lower"}); // away from the upper side
     const Matrix d = boundary_displacement(mesh, held, wavy);
-    EXPECT_EQ(rbf_spread(mesh, held)->spread(d)(held.vertices, Eigen::all), d);
+    EXPECT_EQ(rbf_extension(mesh, held)->extend(d)(held.vertices, Eigen::all), d);
     try {
-        rbf_spread(mesh, held, {RadialFunction::gauss})->spread(d);
+        rbf_extension(mesh, held, {RadialFunction::gauss})->extend(d);
         ADD_FAILURE() << "nothing was thrown";
     } catch (const SolverError& error) {
         EXPECT_THAT(error.what(), HasSubstr("so ill-conditioned that its solution misses the values by"));
@@ -205,9 +205,10 @@ TEST(RbfSpread, SaysWhenASmoothFunctionMissesABoundaryThatTears)
 TEST(RbfSpread, WithoutLinearTermsFadesToNothingOutOfReach)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 30, 60));
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     const RbfOptions options{RadialFunction::wendland_c2, 5, false};
-    const Matrix moved = rbf_spread(mesh, held, options)->spread(boundary_displacement(mesh, held, affine));
+    const Matrix moved =
+        rbf_extension(mesh, held, options)->extend(boundary_displacement(mesh, held, affine));
     int far = 0;
     for (Index v = 0; v < moved.rows(); ++v)
         if (const double r = points(mesh).row(v).norm(); r > 5.5 && r < 25) {
@@ -220,8 +221,8 @@ TEST(RbfSpread, WithoutLinearTermsFadesToNothingOutOfReach)
 TEST(RbfSpread, GivesTheCopiesOfASplitVertexTheSame)
 {
     const Mesh mesh = build_mesh(test::touching_squares(4));
-    const HeldBoundary held = held_boundary(mesh, {"top"});
-    const Matrix moved = rbf_spread(mesh, held)->spread(at_held(mesh, held, wavy));
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
+    const Matrix moved = rbf_extension(mesh, held)->extend(at_held(mesh, held, wavy));
     ASSERT_GT(vertex_count(mesh), mesh.numbering.file_vertices);
     for (Index v = 0; v < vertex_count(mesh); ++v)
         if (mesh.kernel.is_boundary(VertexHandle(v))) {
@@ -232,9 +233,11 @@ TEST(RbfSpread, GivesTheCopiesOfASplitVertexTheSame)
 TEST(RbfSpread, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"cylinder"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
-    const auto moved = [&] { return rbf_spread(mesh, held, {}, greedy_centres(mesh, held, d))->spread(d); };
+    const auto moved = [&] {
+        return rbf_extension(mesh, held, {}, greedy_centres(mesh, held, d))->extend(d);
+    };
     set_thread_count(1);
     const Matrix alone = moved();
     set_thread_count(3);
@@ -245,16 +248,17 @@ TEST(RbfSpread, IsTheSameBytesForAnyNumberOfThreads)
 TEST(RbfSpread, FromFewCentresIsExactOnTheBoundaryAndLinear)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_lam_hybrid.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"airfoil"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
     const Matrix turned = boundary_displacement(mesh, held, test::turn(20, {0.5, 0}));
     const std::vector<Index> centres = greedy_centres(mesh, held, d, {}, {.tolerance = 0.01});
     EXPECT_LT(centres.size(), 80);
-    const auto spread = rbf_spread(mesh, held, {}, centres);
-    const Matrix moved = spread->spread(d);
+    const auto extension = rbf_extension(mesh, held, {}, centres);
+    const Matrix moved = extension->extend(d);
     EXPECT_EQ(moved(held.vertices, Eigen::all), d);
     EXPECT_EQ(test::inverted_after(mesh, moved), 0);
-    EXPECT_LE(difference(spread->spread(d - 2 * turned), moved - 2 * spread->spread(turned)), kAffineTol);
+    EXPECT_LE(difference(extension->extend(d - 2 * turned), moved - 2 * extension->extend(turned)),
+              kAffineTol);
     // At most the error on the boundary is taken away, and far from it nothing.
     const Matrix plain = uncorrected(mesh, held, d, centres, points(mesh));
     EXPECT_LE((moved - plain).rowwise().norm().maxCoeff(), 0.01 * d.rowwise().norm().maxCoeff());
@@ -264,7 +268,7 @@ TEST(RbfSpread, FromFewCentresIsExactOnTheBoundaryAndLinear)
 TEST(GreedyCentres, LeaveNoLargerErrorThanAskedFor)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"cylinder"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
     std::size_t fewer = 0;
     for (const double tolerance : {0.1, 0.01, 0.001}) {
@@ -280,7 +284,7 @@ TEST(GreedyCentres, LeaveNoLargerErrorThanAskedFor)
 TEST(GreedyCentres, OfAnAffineMoveAreTheFewThatSpanTheMesh)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 60));
-    const HeldBoundary held = held_boundary(mesh, {"inner"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
     EXPECT_LE(greedy_centres(mesh, held, at_held(mesh, held, affine)).size(), 8);
     const Matrix none = Matrix::Zero(static_cast<Index>(held.vertices.size()), 2);
     EXPECT_LE(greedy_centres(mesh, held, none).size(), 8);
@@ -289,7 +293,7 @@ TEST(GreedyCentres, OfAnAffineMoveAreTheFewThatSpanTheMesh)
 TEST(GreedyCentres, SayWhenTheyDoNotSuffice)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
-    const HeldBoundary held = held_boundary(mesh, {"cylinder"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
     const Matrix d = boundary_displacement(mesh, held, wavy);
     EXPECT_THROW(greedy_centres(mesh, held, d, {}, {1e-4, 20}), SolverError);
     EXPECT_THROW(greedy_centres(mesh, held, d, {}, {0, 20}), InputError);
@@ -302,9 +306,9 @@ TEST(GreedyCentres, SayWhenTheyDoNotSuffice)
 TEST(RbfSpread, RefusesOptionsThatMakeNoSense)
 {
     Mesh mesh = build_mesh(test::uneven_square(4));
-    const HeldBoundary held = held_boundary(mesh, {"top"});
+    const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
     const auto refusal = [&](const RbfOptions& options, const std::vector<Index>& centres = {}) {
-        return test::message_of([&] { rbf_spread(mesh, held, options, centres); });
+        return test::message_of([&] { rbf_extension(mesh, held, options, centres); });
     };
     EXPECT_THAT(refusal({RadialFunction::thin_plate, 0, false}), HasSubstr("need linear terms"));
     EXPECT_THAT(refusal({RadialFunction::gauss, -1, false}), HasSubstr("support radius"));
@@ -312,7 +316,7 @@ TEST(RbfSpread, RefusesOptionsThatMakeNoSense)
     EXPECT_THAT(refusal({}, {held.vertices[0], 25}), HasSubstr("vertex 25 is a centre"));
     EXPECT_THAT(refusal({}, {held.vertices[0], held.vertices[0]}), HasSubstr("at the same place"));
     EXPECT_THAT(refusal({}, {held.vertices[0], held.vertices[1]}), HasSubstr("on a line"));
-    EXPECT_THAT(test::message_of([&] { rbf_spread(mesh, {}); }), HasSubstr("no vertex is held"));
+    EXPECT_THAT(test::message_of([&] { rbf_extension(mesh, {}); }), HasSubstr("no vertex is held"));
     mesh.dimension = 3;
     EXPECT_THAT(refusal({}), HasSubstr("surface in space"));
 }
@@ -322,13 +326,13 @@ TEST(RbfSpread, RefusesHeldVerticesThatItCannotInterpolate)
     MeshData data = test::uneven_square(4);
     data.points.row(1) = data.points.row(2);
     const Mesh touching = build_mesh(data);
-    EXPECT_THAT(test::message_of([&] { rbf_spread(touching, held_boundary(touching, {"top"})); }),
+    EXPECT_THAT(test::message_of([&] { rbf_extension(touching, dirichlet_boundary(touching, {"top"})); }),
                 HasSubstr("vertices 1 and 2 are held at the same place"));
     const Mesh square = build_mesh(test::uneven_square(4));
-    const HeldBoundary line{marker_vertices(marker(square, "bottom")), {}, {}};
-    EXPECT_THAT(test::message_of([&] { rbf_spread(square, line); }), HasSubstr("lie on a line"));
+    const DirichletBoundary line{marker_vertices(marker(square, "bottom")), {}, {}};
+    EXPECT_THAT(test::message_of([&] { rbf_extension(square, line); }), HasSubstr("lie on a line"));
     const Mesh many = build_mesh(test::annulus(1, 2, kMostCentres, 1));
-    EXPECT_THAT(test::message_of([&] { rbf_spread(many, held_boundary(many, {"inner"})); }),
+    EXPECT_THAT(test::message_of([&] { rbf_extension(many, dirichlet_boundary(many, {"inner"})); }),
                 HasSubstr("12000 centres"));
 }
 

@@ -43,9 +43,9 @@ TEST_P(Springs, HoldEveryFreeVertexInEquilibrium)
 {
     for (const MeshData& data : {test::uneven_square(10), test::quad_square(10)}) {
         const Mesh mesh = build_mesh(data);
-        const HeldBoundary held = whole_boundary(mesh, "top");
+        const DirichletBoundary held = whole_boundary(mesh, "top");
         const Matrix h =
-            spring_spread(mesh, held, GetParam())->spread(values_at(mesh, held.vertices, some_values));
+            spring_extension(mesh, held, GetParam())->extend(values_at(mesh, held.vertices, some_values));
         Matrix force = Matrix::Zero(h.rows(), h.cols());
         for (const auto edge : mesh.kernel.edges()) {
             const Index a = edge.v0().idx(), b = edge.v1().idx();
@@ -67,11 +67,12 @@ TEST_P(Springs, KeepTheBoundsOnEveryRealMesh)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const HeldBoundary held = whole_boundary(mesh, mesh.markers.front().name);
+        const DirichletBoundary held = whole_boundary(mesh, mesh.markers.front().name);
         const auto waves = [](double x, double y) {
             return Eigen::RowVector2d(1, 0.5 + 0.5 * std::sin(3 * x + y));
         };
-        const Matrix h = spring_spread(mesh, held, GetParam())->spread(values_at(mesh, held.vertices, waves));
+        const Matrix h =
+            spring_extension(mesh, held, GetParam())->extend(values_at(mesh, held.vertices, waves));
         EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
         EXPECT_LE(h.maxCoeff<Eigen::PropagateNaN>(), 1 + kSolveTol);
         EXPECT_LE((h.col(0).array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kSolveTol);
@@ -81,21 +82,21 @@ TEST_P(Springs, KeepTheBoundsOnEveryRealMesh)
 TEST_P(Springs, AreTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 180));
-    const HeldBoundary held = whole_boundary(mesh, "inner");
+    const DirichletBoundary held = whole_boundary(mesh, "inner");
     const Matrix values = values_at(mesh, held.vertices, some_values);
     set_thread_count(1);
-    const Matrix alone = spring_spread(mesh, held, GetParam())->spread(values);
+    const Matrix alone = spring_extension(mesh, held, GetParam())->extend(values);
     set_thread_count(3);
-    EXPECT_EQ(spring_spread(mesh, held, GetParam())->spread(values), alone);
+    EXPECT_EQ(spring_extension(mesh, held, GetParam())->extend(values), alone);
     set_thread_count(0);
 }
 
 TEST_P(Springs, TakeTheCopiesOfASplitVertexAsOneUnknown)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
-    HeldBoundary held; // through the shared corner it holds both squares
+    DirichletBoundary held; // through the shared corner it holds both squares
     held.vertices = {0};
-    const Matrix h = spring_spread(mesh, held, GetParam())->spread(Matrix::Constant(1, 1, 2.0));
+    const Matrix h = spring_extension(mesh, held, GetParam())->extend(Matrix::Constant(1, 1, 2.0));
     EXPECT_LE((h.array() - 2).abs().maxCoeff<Eigen::PropagateNaN>(), kSolveTol);
 }
 
@@ -103,14 +104,14 @@ TEST_P(Springs, RefuseWhatMakesNoSense)
 {
     MeshData data = test::uneven_square(4);
     const Mesh mesh = build_mesh(data);
-    EXPECT_THROW(spring_spread(mesh, {}, GetParam()), InputError);
-    const HeldBoundary held = whole_boundary(mesh, "top");
-    const auto spread = spring_spread(mesh, held, GetParam());
-    EXPECT_THROW(spread->spread(Matrix::Zero(2, 2)), InputError);
+    EXPECT_THROW(spring_extension(mesh, {}, GetParam()), InputError);
+    const DirichletBoundary held = whole_boundary(mesh, "top");
+    const auto extension = spring_extension(mesh, held, GetParam());
+    EXPECT_THROW(extension->extend(Matrix::Zero(2, 2)), InputError);
     Mesh pinched = mesh;
     points(pinched).row(mesh.kernel.to_vertex_handle(HalfedgeHandle(0)).idx()) =
         points(mesh).row(mesh.kernel.from_vertex_handle(HalfedgeHandle(0)).idx());
-    EXPECT_THAT(test::message_of([&] { spring_spread(pinched, held, GetParam()); }),
+    EXPECT_THAT(test::message_of([&] { spring_extension(pinched, held, GetParam()); }),
                 testing::HasSubstr("has no length"));
 }
 
@@ -192,13 +193,13 @@ TEST_P(Springs, WithBracingHoldEveryFreeVertexInEquilibriumForSmallMoves)
     for (const MeshData& data : {test::uneven_square(5), test::quad_square(5)})
         for (const auto bracing : {SpringBracing::torsion, SpringBracing::ball_vertex}) {
             const Mesh mesh = build_mesh(data);
-            const HeldBoundary held = whole_boundary(mesh, "top");
+            const DirichletBoundary held = whole_boundary(mesh, "top");
             const SpringEnergy energy(mesh, GetParam(), bracing);
             const auto wavy = [](double x, double y) {
                 return Eigen::RowVector2d(std::sin(3 * x - y), std::cos(2 * y + x));
             };
-            Points2 u = braced_spring_spread(mesh, held, GetParam(), bracing)
-                            ->spread(values_at(mesh, held.vertices, wavy));
+            Points2 u = braced_spring_extension(mesh, held, GetParam(), bracing)
+                            ->extend(values_at(mesh, held.vertices, wavy));
             const double left = largest_force(mesh, energy, u);
             u += 0.1 * Points2::Random(u.rows(), 2);
             EXPECT_LE(left, 1e-2 * largest_force(mesh, energy, u)); // third order in moves of 1e-3 remain
@@ -208,14 +209,14 @@ TEST_P(Springs, WithBracingHoldEveryFreeVertexInEquilibriumForSmallMoves)
 TEST(BracedSprings, TurnAnAirfoilByARightAngle)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_inv.su2"));
-    const HeldBoundary held = whole_boundary(mesh, "airfoil");
+    const DirichletBoundary held = whole_boundary(mesh, "airfoil");
     const Points2 turned = values_at(mesh, held.vertices, test::turned_airfoil(90));
     constexpr auto kStiffness = SpringStiffness::inverse_length_squared;
     for (const auto bracing : {SpringBracing::torsion, SpringBracing::ball_vertex})
         EXPECT_EQ(
-            test::inverted_by(mesh, braced_spring_spread(mesh, held, kStiffness, bracing)->spread(turned)),
+            test::inverted_by(mesh, braced_spring_extension(mesh, held, kStiffness, bracing)->extend(turned)),
             0);
-    EXPECT_GT(test::inverted_by(mesh, spring_spread(mesh, held, kStiffness)->spread(turned)), 1000);
+    EXPECT_GT(test::inverted_by(mesh, spring_extension(mesh, held, kStiffness)->extend(turned)), 1000);
 }
 
 } // namespace

@@ -1,0 +1,107 @@
+#include "libmorph/remap/target_locations.h"
+
+#include "libmorph/core/error.h"
+#include "libmorph/core/parallel.h"
+#include "libmorph/core/space_curve.h"
+
+#include <cmath>
+#include <string>
+
+namespace morph {
+
+namespace {
+
+constexpr std::size_t kRowsPerBlock = 512;
+
+bool is_on_rim(const Mesh& mesh, const ElementTree::Closest& closest)
+{
+    if (closest.feature == 0)
+        return false;
+    const Element element = element_corners(mesh, closest.face);
+    const auto corner = static_cast<std::size_t>(std::abs(closest.feature) - 1);
+    const VertexHandle v(element[corner]);
+    if (closest.feature < 0)
+        return mesh.kernel.is_boundary(v);
+    const auto next = (corner + 1) % static_cast<std::size_t>(corner_count(element));
+    const HalfedgeHandle side = mesh.kernel.find_halfedge(v, VertexHandle(element[next]));
+    return mesh.kernel.is_boundary(mesh.kernel.edge_handle(side));
+}
+
+void collect_outside(TargetLocations& sites)
+{
+    for (std::size_t i = 0; i < sites.locations.face.size(); ++i)
+        if (sites.locations.face[i] < 0)
+            sites.outside.push_back(static_cast<Index>(i));
+}
+
+TargetLocations sites_in_plane(const Locator& source, const Eigen::Ref<const Points>& targets)
+{
+    TargetLocations sites;
+    sites.locations = source.locate(targets);
+    collect_outside(sites);
+    sites.outside_feet.resize(sites.outside.size());
+    parallel_for(sites.outside.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            sites.outside_feet[i] = source.tree().closest(targets.row(sites.outside[i]).transpose());
+    });
+    return sites;
+}
+
+double size_of(const Mesh& mesh)
+{
+    const auto p = points(mesh);
+    return (p.colwise().maxCoeff() - p.colwise().minCoeff()).norm();
+}
+
+TargetLocations sites_on_surface(const Locator& source, const Eigen::Ref<const Points>& targets)
+{
+    constexpr double kTouching = 1e-9; // of the surface's size: what rounding moves a point off a rim
+    const double touching = kTouching * size_of(source.source());
+    const auto n = static_cast<std::size_t>(targets.rows());
+    TargetLocations sites;
+    sites.locations.order = hilbert_order(targets, 3);
+    sites.locations.face.assign(n, -1);
+    sites.feet.resize(targets.rows(), 3);
+    sites.distance.resize(n);
+    std::vector<Index> closest_face(n);
+    parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index target = sites.locations.order[i];
+            const auto t = static_cast<std::size_t>(target);
+            const ElementTree::Closest closest = source.tree().closest(targets.row(target).transpose());
+            sites.feet.row(target) = closest.point.transpose();
+            sites.distance[t] = closest.distance;
+            closest_face[t] = closest.face;
+            if (closest.distance <= touching || !is_on_rim(source.source(), closest))
+                sites.locations.face[t] = closest.face;
+        }
+    });
+    collect_outside(sites);
+    for (const Index target : sites.outside) {
+        const auto t = static_cast<std::size_t>(target);
+        sites.outside_feet.push_back(
+            {closest_face[t], sites.feet.row(target).transpose(), sites.distance[t], 0});
+    }
+    return sites;
+}
+
+void require_finite(const Eigen::Ref<const Points>& targets)
+{
+    for (Eigen::Index i = 0; i < targets.rows(); ++i)
+        if (!targets.row(i).allFinite())
+            throw InputError("target " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+} // namespace
+
+TargetLocations locate_targets(const Locator& source, const Eigen::Ref<const Points>& targets)
+{
+    if (element_count(source.source()) == 0)
+        throw InputError("the source has no element to take values from");
+    if (source.source().dimension == 2)
+        return sites_in_plane(source, targets);
+    require_finite(targets);
+    return sites_on_surface(source, targets);
+}
+
+} // namespace morph

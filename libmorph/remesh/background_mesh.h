@@ -1,0 +1,59 @@
+#pragma once
+
+#include "libmorph/remesh/corner_table.h"
+
+#include <functional>
+#include <utility>
+
+namespace morph {
+
+/// The mesh as it was before it was remade: what the wanted sizes are known on, and the surface that vertices
+/// stay on.
+///
+/// Points are found by a walk from a triangle nearby, which takes a few steps. Where a hole or a border is in
+/// the way, or the surface folds, the walk ends at the nearest place it reaches; that costs accuracy of a
+/// size, never a valid mesh.
+class BackgroundMesh {
+public:
+    /// @param planar  points are found by which triangle holds them, else by which is closest
+    BackgroundMesh(const CornerTable& net, bool planar) : net_(net), planar_(planar) {}
+
+    struct Place {
+        Index triangle = 0;
+        Eigen::Vector3d point; ///< on the triangle, the point asked for or the closest
+        double size = 0;       ///< wanted there
+    };
+    /// @param near  triangle to start from
+    Place find(const Eigen::Vector3d& point, Index near) const;
+
+    /// In the plane: where to go on when a walk is long or ends at a border. Meshes made from far apart
+    /// vertices need it: a walk around a body does not get to its other side.
+    /// @param jump  the triangle at or near a point, -1: not known
+    void jump_with(std::function<Index(const Eigen::Vector3d&)> jump) { jump_ = std::move(jump); }
+
+    /// Wanted sizes as vertices of the input are numbered; may be changed before find() is called.
+    std::vector<TableVertex>& vertices() { return net_.vertices; }
+    const CornerTable& net() const { return net_; }
+
+    /// Find the unit normals of the surface: at each triangle the mean of those around it by area, not across
+    /// feature edges, so that a sliver of a scanned surface has that of its neighbours.
+    /// @param tag  of each halfedge of the net, see CornerTable::tag
+    void find_normals(const std::vector<Index>& tag);
+    /// Zero before find_normals().
+    Eigen::Vector3d normal(Index triangle) const;
+
+private:
+    Place find_in_plane(const Eigen::Vector3d& point, Index near) const;
+    Place find_closest(const Eigen::Vector3d& point, Index near) const;
+    double size_at(Index triangle, const Eigen::Vector3d& point) const;
+
+    /// Walk towards a point; false where it does not get there.
+    bool walk(const Eigen::Vector3d& point, Index& triangle, int longest) const;
+
+    CornerTable net_;
+    std::vector<Eigen::Vector3d> normals_;
+    bool planar_;
+    std::function<Index(const Eigen::Vector3d&)> jump_;
+};
+
+} // namespace morph

@@ -1,0 +1,90 @@
+#include "libmorph/weights/boundary_segments.h"
+
+#include "libmorph/core/error.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace morph {
+
+namespace {
+
+BoundarySegment sorted(BoundarySegment edge)
+{
+    if (edge[1] < edge[0])
+        std::swap(edge[0], edge[1]);
+    return edge;
+}
+
+/// Edges of the mesh's boundary, as vertices.
+std::vector<std::array<Index, 2>> boundary_edges(const Mesh& mesh)
+{
+    std::vector<std::array<Index, 2>> edges;
+    for (const EdgeHandle e : mesh.kernel.edges())
+        if (mesh.kernel.is_boundary(e)) {
+            const HalfedgeHandle side = mesh.kernel.halfedge_handle(e, 0);
+            edges.push_back(
+                {mesh.kernel.from_vertex_handle(side).idx(), mesh.kernel.to_vertex_handle(side).idx()});
+        }
+    return edges;
+}
+
+} // namespace
+
+Points held_points(const Mesh& mesh, const UniqueDirichletVertices& vertices)
+{
+    return points(mesh)(vertices.vertices(), Eigen::all);
+}
+
+BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& held,
+                                   const UniqueDirichletVertices& vertices)
+{
+    const std::vector<Index> row_of = vertices.rows();
+    const auto rows = [&](const std::array<Index, 2>& edge) {
+        return BoundarySegment{row_of[static_cast<std::size_t>(edge[0])],
+                               row_of[static_cast<std::size_t>(edge[1])]};
+    };
+    BoundarySegments edges;
+    std::set<BoundarySegment> known;
+    for (const auto& edge : held.moving_edges) {
+        edges.moving.push_back(rows(edge));
+        known.insert(sorted(edges.moving.back()));
+        for (const Index v : edge)
+            if (row_of[static_cast<std::size_t>(v)] < 0)
+                throw InputError("vertex " +
+                                 std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]) +
+                                 " is the end of a moving edge, but it is not held");
+    }
+    std::vector<std::array<Index, 2>> others = boundary_edges(mesh);
+    others.insert(others.end(), held.walls.begin(), held.walls.end());
+    for (const auto& edge : others)
+        if (const BoundarySegment e = rows(edge); e[0] >= 0 && e[1] >= 0 && known.insert(sorted(e)).second)
+            edges.still.push_back(e);
+    std::vector<bool> has_edge(vertices.vertices().size());
+    for (const BoundarySegment& edge : known)
+        for (const Index row : edge)
+            has_edge[static_cast<std::size_t>(row)] = true;
+    for (std::size_t row = 0; row < has_edge.size(); ++row)
+        if (!has_edge[row])
+            edges.still.push_back({static_cast<Index>(row), static_cast<Index>(row)});
+    return edges;
+}
+
+NearestOnSegments::NearestOnSegments(Points points, std::vector<BoundarySegment> edges)
+    : points_(std::move(points)), edges_(std::move(edges)), tree_(points_, edges_)
+{
+}
+
+EdgePoint NearestOnSegments::nearest(double x, double y, Index hint) const
+{
+    const SegmentTree::Nearest found = tree_.nearest(x, y, hint);
+    const BoundarySegment& edge = edges_[static_cast<std::size_t>(found.segment)];
+    const Eigen::RowVector2d a = points_.row(edge[0]).head<2>();
+    const Eigen::RowVector2d along = points_.row(edge[1]).head<2>() - a;
+    const double length2 = along.squaredNorm();
+    const double t = length2 > 0 ? along.dot(Eigen::RowVector2d(x, y) - a) / length2 : 0;
+    return {edge, std::clamp(t, 0.0, 1.0), found.distance, found.segment};
+}
+
+} // namespace morph

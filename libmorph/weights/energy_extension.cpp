@@ -1,0 +1,48 @@
+#include "libmorph/weights/energy_extension.h"
+
+namespace morph {
+
+namespace {
+
+/// The elements as sets of vertices, copies of a split vertex taken as one.
+VertexLists element_patches(const std::vector<Element>& elements, const std::vector<Index>& representatives)
+{
+    VertexLists patches;
+    for (const Element& corners : elements) {
+        for (int i = 0; i < corner_count(corners); ++i)
+            patches.vertex.push_back(
+                representatives[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])]);
+        patches.close_list();
+    }
+    return patches;
+}
+
+SymmetricMatrix stiffness(const Mesh& mesh, const UniqueDirichletVertices& held,
+                          const EnergyExtension::Energy& energy)
+{
+    const VertexLists patches = element_patches(element_table(mesh), held.representatives());
+    const auto x = points(mesh);
+    return assemble(vertex_count(mesh), 2, patches, [&](std::size_t e, ElementMatrix& matrix) {
+        ElementPoints element{static_cast<Index>(e), static_cast<int>(patches.size(e))};
+        for (std::size_t i = 0; i < patches.size(e); ++i)
+            element.at[i] = x.row(patches.begin(e)[i]).head<2>();
+        energy(element, matrix);
+    });
+}
+
+} // namespace
+
+EnergyExtension::EnergyExtension(const Mesh& mesh, const DirichletBoundary& held, const Energy& energy)
+    : held_(mesh, held), system_(points(mesh), stiffness(mesh, held_, energy), 2, held_.vertices())
+{
+}
+
+Points2 EnergyExtension::extend(const Points2& displacements) const
+{
+    const Matrix joined = held_.join(displacements);
+    Matrix u = system_.solve(joined);
+    held_.finish(joined, u);
+    return u;
+}
+
+} // namespace morph
