@@ -1,19 +1,19 @@
 #pragma once
 
+#include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/weights.h"
-#include "tools/deform/placement.h"
 
 #include <string>
+#include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// Fill the weights by the method that the case names, see extension_methods.h.
-Weights solve_weights(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file);
-
-/// Read weights that were saved on this mesh, or remapped to it, and set the boundary rows anew so that
-/// boundary nodes land on their curves.
+/// Read weights that were saved as nodal fields on this mesh, or remapped to it, see weight_fields().
 ///
+/// @param control_points  K, in this order
+/// @return n x K, rows as the vertices of @p mesh
 /// @throws InputError  the file's vertices are not those of the mesh, or a field is missing
-Weights load_weights(const std::string& path, const Mesh& mesh, const PlacedBoundaries& placed);
+Weights read_weights(const std::string& path, const Mesh& mesh,
+                     const std::vector<ControlPoint>& control_points);
 
-} // namespace morph::tools
+} // namespace morph

@@ -48,7 +48,8 @@ const std::vector<Layer>& layers()
         {"libmorph/deform", above_deform},
         {"libmorph/remap", {"libmorph/core", "libmorph/mesh", "libmorph/geometry"}},
         {"libmorph/remesh", with_remap},
-        {"formats", base},
+        {"libmorph/pipeline", {"libmorph"}},
+        {"formats", {"libmorph/core", "libmorph/mesh", "libmorph/pipeline", "libmorph/weights", "libmorph/basis"}},
         {"tools", {"libmorph", "formats"}},
     };
     return list;

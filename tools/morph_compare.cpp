@@ -1,10 +1,9 @@
 // morph-compare: the same change by several methods, side by side.
 //   morph-compare examples/02_thesis_case2/case.toml --methods harmonic,harmonic-distance --page compare.html
+#include "formats/case/case_file.h"
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
-#include "libmorph/mesh/builder.h"
-#include "tools/case/generate_mesh.h"
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
@@ -65,10 +64,10 @@ std::vector<CompareMethod> chosen_methods(const Options& options)
 ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
                           const std::vector<CompareMethod>& methods)
 {
-    for (BoundaryEntry& boundary : file.boundaries)
-        boundary.displacements *= factor;
-    const PlacedBoundaries placed = parametrize_boundaries(mesh, file);
-    for (const std::string& crossing : boundary_crossings(placed))
+    for (CurveMove& curve : file.motion.curves)
+        curve.displacements *= factor;
+    const PlacedBoundaries placed = parametrize_boundaries(mesh, file.motion);
+    for (const std::string& crossing : boundary_crossings(placed, placed.displacements))
         warn(kTool, crossing + ": no valid mesh exists");
     ComparedMove move{factor, {}};
     for (const CompareMethod& method : methods)
@@ -111,7 +110,7 @@ int compare_methods_of(int argc, char** argv)
     if (!options.page.empty())
         OutputFiles::require_writable(options.page);
     const CaseFile file = read_case_file(options.case_file);
-    Mesh mesh = file.generate ? build_mesh(generate_mesh(file)) : read_mesh(file.mesh_file, options.from);
+    Mesh mesh = case_mesh(file, options.from);
     std::vector<ComparedMove> moves;
     for (const double factor : options.moves)
         moves.push_back(compare_move(mesh, file, factor, methods));

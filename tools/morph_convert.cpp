@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "formats/gzip.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/mesh/builder.h"
 #include "tools/common/field_source.h"
 #include "tools/common/report.h"

@@ -1,12 +1,14 @@
 // morph-fit: a case file for a mesh that has no curves yet.
 //   morph-fit naca0012.su2 --marker airfoil --points 20 -o naca0012.toml
+#include "formats/case/case_text.h"
 #include "formats/formats.h"
 #include "formats/output_files.h"
 #include "libmorph/basis/fit.h"
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/mesh/chain.h"
-#include "tools/case/case_text.h"
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"

@@ -1,8 +1,11 @@
 // morph-mesh: mesh the domain of a case file.
 //   morph-mesh examples/01_thesis_case1/case.toml -o domain.su2
+#include "formats/case/case_file.h"
 #include "formats/formats.h"
+#include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/quality/metrics.h"
-#include "tools/case/generate_mesh.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
@@ -62,7 +65,10 @@ int mesh_case(const Settings& settings, const CommonOptions& common)
     Stopwatch watch;
     const CaseFile file = read_case_file(settings.case_file);
     const double read = watch.lap();
-    const MeshData mesh = generate_mesh(file);
+    if (!file.generate)
+        throw InputError(file.path + ": nothing to generate: [mesh] has file, expected generate = { box = "
+                                     "[xmin, ymin, xmax, ymax], size = ... }");
+    const MeshData mesh = generate_mesh(*file.generate, file.motion.curves);
     const double meshed = watch.lap();
 
     OutputFiles outputs;

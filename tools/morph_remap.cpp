@@ -5,6 +5,7 @@
 #include "formats/tuc_files.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remap/remap.h"
 #include "tools/common/command_line.h"

@@ -1,19 +1,21 @@
 // morph-remesh: a better mesh of the same domain.
 //   morph-remesh wing.su2 -o coarse.su2 --scale 1.5
+#include "formats/case/case_file.h"
 #include "formats/formats.h"
+#include "libmorph/core/names.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/bounded_remesh.h"
+#include "libmorph/remesh/group_regions.h"
 #include "libmorph/remesh/remesh.h"
-#include "tools/case/case_file.h"
+#include "libmorph/remesh/transferred_fields.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/remesh/cut_out_inverted.h"
-#include "tools/remesh/group_regions.h"
 #include "tools/remesh/keep_option.h"
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
-#include "tools/remesh/transferred_fields.h"
 
 #include <cmath>
 #include <utility>
@@ -95,8 +97,8 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
     settings.fresh = options.fresh;
     settings.features.crease_angle = options.crease;
     if (!options.case_file.empty())
-        for (const BoundaryEntry& boundary : read_case_file(options.case_file).boundaries)
-            settings.features.curves.push_back({boundary.name, Curve(boundary.curve)});
+        for (const CurveMove& curve : read_case_file(options.case_file).motion.curves)
+            settings.features.curves.push_back({curve.marker, make_curve(curve)});
     return settings;
 }
 
@@ -124,6 +126,18 @@ RemeshResult remade(const Mesh& old, const Options& options, const RemeshSetting
         made = std::move(next);
     }
     return made;
+}
+
+/// The new mesh with the borders between groups kept; what sizes were possible goes to the wishes.
+Mesh remeshed(Mesh& old, const GroupRegions& regions, const Options& options, const RemeshSettings& settings,
+              RemeshWishes& wishes)
+{
+    const RegionBorders borders(old, regions);
+    RemeshResult made = remade(old, options, settings, wishes.sizes);
+    wishes.possible = std::move(made.sizes);
+    Mesh mesh = build_mesh(made.data);
+    borders.remove_from(mesh);
+    return mesh;
 }
 
 /// Wishes at the vertices of the old mesh, carried to those of the new one.
@@ -170,11 +184,7 @@ int remesh_file(int argc, char** argv)
     wishes.sizes = target_sizes(old, options.sizes, settings.features, options.input);
     wishes.vertices = wanted_vertices(old, options.sizes);
     const GroupRegions regions = group_regions(old);
-    Mesh mesh = remesh_with_region_borders(old, regions, [&](const Mesh& from) {
-        RemeshResult made = remade(from, options, settings, wishes.sizes);
-        wishes.possible = std::move(made.sizes);
-        return build_mesh(made.data);
-    });
+    Mesh mesh = remeshed(old, regions, options, settings, wishes);
     const double remeshed = watch.lap();
     for (const OpaqueSection& carried : old.sections)
         if (carried.names_vertices)

@@ -1,20 +1,22 @@
-#include "tools/case/case_file.h"
+#include "formats/case/case_file.h"
 
+#include "formats/case/entries.h"
+#include "formats/formats.h"
 #include "formats/input_file.h"
+#include "formats/su2_ffd.h"
 #include "libmorph/core/error.h"
-#include "libmorph/core/names.h"
-#include "tools/case/toml_table.h"
+#include "libmorph/mesh/builder.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
 constexpr Index kMostNodes = 10'000'000;
 
-GenerateEntry generate_entry(const TomlTable& table)
+GenerateSettings generate_settings(const TomlTable& table, const std::string& path)
 {
     table.require_known({"box", "size"});
     const auto box = table.numbers("box");
@@ -25,7 +27,8 @@ GenerateEntry generate_entry(const TomlTable& table)
     const auto size = table.number("size");
     if (!size)
         table.fail_missing("size", "size = 1.0");
-    GenerateEntry entry;
+    GenerateSettings entry;
+    entry.where = path + ": ";
     std::copy(box->begin(), box->end(), entry.box.begin());
     entry.size = *size;
     if (!(entry.box[0] < entry.box[2] && entry.box[1] < entry.box[3]))
@@ -44,9 +47,9 @@ void read_mesh_section(const TomlTable& root, CaseFile& file)
     if (table->has("file") == table->has("generate"))
         table->fail(table->line(), "[mesh] needs either file or generate, not both and not neither");
     if (const auto name = table->string("file"))
-        file.mesh_file = beside(file.path, *name);
+        file.mesh_file = relative_to(file.path, *name);
     if (const auto generate = table->table("generate", "[mesh] generate"))
-        file.generate = generate_entry(*generate);
+        file.generate = generate_settings(*generate, file.path);
 }
 
 /// Displacements as given, or as the difference to the moved control points.
@@ -81,38 +84,35 @@ CurveDefinition curve_of(const TomlTable& table)
     return curve;
 }
 
-BoundaryEntry boundary_entry(const TomlTable& table)
+CurveMove curve_move(const TomlTable& table)
 {
     table.require_known({"name", "degree", "closed", "control_points", "knots", "weights", "nodes",
                          "displacements", "moved"});
     const auto name = table.string("name");
     if (!name)
         table.fail_missing("name", "name = \"airfoil\"");
-    BoundaryEntry entry;
-    entry.name = *name;
-    entry.line = table.line();
-    entry.curve = curve_of(table);
-    entry.nodes = table.integer("nodes", 1, kMostNodes).value_or(0);
-    entry.displacements = displacements_of(table, entry.curve.control_points);
-    try {
-        const Curve checked(entry.curve);
-    } catch (const InputError& error) {
-        table.fail(entry.line, "boundary '" + entry.name + "': " + error.what());
-    }
-    return entry;
+    CurveMove move;
+    move.marker = *name;
+    move.where = table.where();
+    move.curve = curve_of(table);
+    move.nodes = table.integer("nodes", 1, kMostNodes).value_or(0);
+    move.displacements = displacements_of(table, move.curve.control_points);
+    make_curve(move); // refuses what is no curve
+    return move;
 }
 
 void read_boundaries(const TomlTable& root, CaseFile& file)
 {
+    std::map<std::string, int> lines;
     for (const TomlTable& table : root.tables("boundary")) {
-        BoundaryEntry entry = boundary_entry(table);
-        for (const BoundaryEntry& other : file.boundaries)
-            if (other.name == entry.name)
-                table.fail(entry.line, "boundary '" + entry.name + "' is given twice, first in line " +
-                                           std::to_string(other.line));
-        file.boundaries.push_back(std::move(entry));
+        CurveMove move = curve_move(table);
+        const auto [first, is_new] = lines.try_emplace(move.marker, table.line());
+        if (!is_new)
+            table.fail(table.line(), "boundary '" + move.marker + "' is given twice, first in line " +
+                                         std::to_string(first->second));
+        file.motion.curves.push_back(std::move(move));
     }
-    if (file.boundaries.empty() && !file.lattice)
+    if (file.motion.curves.empty() && !file.motion.lattice)
         root.fail(
             1,
             "the case has no [[boundary]] and no [lattice], so there is nothing to move; morph-fit makes a "
@@ -126,17 +126,42 @@ void read_output_section(const TomlTable& root, CaseFile& file)
         return;
     table->require_known({"mesh"});
     if (const auto name = table->string("mesh"))
-        file.output_mesh = beside(file.path, *name);
+        file.output_mesh = relative_to(file.path, *name);
 }
 
-toml::table parse(std::string_view bytes, const std::string& path)
+void read_lattice(const TomlTable& root, CaseFile& file)
 {
-    try {
-        return toml::parse(bytes, path);
-    } catch (const toml::parse_error& error) {
-        throw InputError(path + ":" + std::to_string(error.source().begin.line) + ": " +
-                         std::string(error.description()));
+    const auto table = root.table("lattice", "[lattice]");
+    if (!table)
+        return;
+    LatticeEntry entry = lattice_entry(*table);
+    file.motion.lattice = std::move(entry.settings);
+    file.su2_box = std::move(entry.su2_box);
+    file.su2_box_displacements = std::move(entry.sparse_displacements);
+}
+
+LatticeDefinition shape_of(const Su2FfdBox& box)
+{
+    LatticeDefinition shape;
+    shape.dimension = box.dimension;
+    shape.basis = box.bspline ? LatticeBasis::bspline : LatticeBasis::bernstein;
+    std::copy(box.degree.begin(), box.degree.end(), shape.degree.begin());
+    std::copy(box.points.begin(), box.points.end(), shape.points.begin());
+    shape.control_points = box.control_points;
+    return shape;
+}
+
+/// The FFD box of that tag.
+LatticeDefinition su2_shape(const std::vector<Su2FfdBox>& boxes, const CaseFile& file)
+{
+    std::vector<std::string> tags;
+    for (const Su2FfdBox& box : boxes) {
+        if (box.tag == file.su2_box)
+            return shape_of(box);
+        tags.push_back(box.tag);
     }
+    throw InputError("su2_box '" + file.su2_box + "' is not in " + file.mesh_file + ", which has " +
+                     (tags.empty() ? "no FFD boxes" : joined(tags)) + did_you_mean(file.su2_box, tags));
 }
 
 } // namespace
@@ -149,24 +174,43 @@ CaseFile read_case_file(const std::string& path)
 
 CaseFile parse_case_file(std::string_view bytes, const std::string& path)
 {
-    const toml::table document = parse(bytes, path);
-    const TomlTable root(document, path, "the case file");
+    const TomlTable root = TomlTable::parse(bytes, path, "the case file");
     root.require_known({"mesh", "boundary", "lattice", "pull", "constraints", "deform", "output"});
     CaseFile file;
     file.path = path;
+    file.motion.where = path + ": ";
+    file.motion.deform.where = root.where(1);
     read_mesh_section(root, file);
-    if (const auto table = root.table("lattice", "[lattice]"))
-        file.lattice = lattice_entry(*table);
-    file.pulls = pull_entries(root);
+    read_lattice(root, file);
+    file.motion.pulls = pull_settings(root);
     if (const auto table = root.table("constraints", "[constraints]"))
-        file.constraints = constraints_entry(*table);
+        file.motion.constraints = constraint_settings(*table);
     read_boundaries(root, file);
     if (const auto table = root.table("deform", "[deform]"))
-        file.deform = deform_entry(*table);
-    if (file.deform.method == "ffd" && !file.lattice)
+        file.motion.deform = deform_settings(*table);
+    if (file.motion.deform.method == Method::ffd && !file.motion.lattice)
         root.fail(1, "method = \"ffd\" needs a [lattice]");
     read_output_section(root, file);
     return file;
 }
 
-} // namespace morph::tools
+Mesh case_mesh(const CaseFile& file, const std::string& from)
+{
+    return file.generate ? build_mesh(generate_mesh(*file.generate, file.motion.curves))
+                         : read_mesh(file.mesh_file, from);
+}
+
+void take_su2_box(CaseFile& file, const Mesh& mesh)
+{
+    if (file.su2_box.empty() || !uses_lattice(file.motion))
+        return;
+    LatticeSettings& lattice = *file.motion.lattice;
+    try {
+        lattice.shape = su2_shape(su2_ffd_boxes(mesh.sections, file.mesh_file), file);
+    } catch (const InputError& error) {
+        throw InputError(lattice.where + "[lattice] " + error.what());
+    }
+    lattice.displacements = full_displacements(file.su2_box_displacements, lattice.shape.points, lattice.where);
+}
+
+} // namespace morph

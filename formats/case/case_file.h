@@ -1,45 +1,25 @@
 #pragma once
 
-#include "libmorph/basis/curve.h"
-#include "tools/case/constraints_entry.h"
-#include "tools/case/deform_entry.h"
-#include "tools/case/lattice_entry.h"
-#include "tools/case/pull_entry.h"
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/pipeline/generate.h"
+#include "libmorph/pipeline/settings.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-namespace morph::tools {
-
-/// [mesh] generate: the domain to be meshed.
-struct GenerateEntry {
-    std::array<double, 4> box{}; ///< xmin, ymin, xmax, ymax
-    double size = 0;             ///< target edge length on the box
-};
-
-/// One [[boundary]]: a marker and the curve that carries it.
-struct BoundaryEntry {
-    std::string name;
-    CurveDefinition curve;
-    Index nodes = 0;       ///< with generate: how many nodes the curve gets; 0 when not given
-    Points2 displacements; ///< K x 2, zero when not given
-    int line = 0;          ///< in the case file, for messages
-};
+namespace morph {
 
 /// A case file, checked: every key known, every number finite, every path made relative to the file.
 struct CaseFile {
     std::string path;
-    std::string mesh_file; ///< empty with generate
-    std::optional<GenerateEntry> generate;
-    std::vector<BoundaryEntry> boundaries;
-    std::optional<LatticeEntry> lattice;
-    std::vector<PullEntry> pulls;
-    std::optional<ConstraintsEntry> constraints;
-    DeformEntry deform;
+    std::string mesh_file;                    ///< empty with generate
+    std::optional<GenerateSettings> generate; ///< the domain to be meshed, without its curves
+    MotionSettings motion;
     std::string output_mesh; ///< empty when not given
+
+    std::string su2_box;         ///< tag of the FFD box that is to be the lattice, see take_su2_box()
+    Matrix su2_box_displacements; ///< rows i, j, k, dx, dy, dz
 };
 
 /// @throws InputError  "case.toml:12: what is wrong"; unknown keys name the nearest known one
@@ -48,4 +28,15 @@ CaseFile read_case_file(const std::string& path);
 /// As read_case_file(), from bytes in memory; paths in it are relative to the folder of @p path.
 CaseFile parse_case_file(std::string_view bytes, const std::string& path);
 
-} // namespace morph::tools
+/// The mesh of a case, read or generated.
+/// @param from  format of the file, when its extension does not say
+/// @throws InputError, SolverError  as read_mesh() and generate_mesh()
+Mesh case_mesh(const CaseFile& file, const std::string& from = "");
+
+/// Make the FFD box that the case names the lattice of its motion; nothing changes without such a name, or where
+/// the motion uses no lattice.
+/// @param mesh  read from the SU2 file of the case
+/// @throws InputError  the file has no such box; a displacement beyond it
+void take_su2_box(CaseFile& file, const Mesh& mesh);
+
+} // namespace morph

@@ -1,11 +1,12 @@
-#include "tools/case/case_text.h"
+#include "formats/case/case_text.h"
 
 #include "formats/number_text.h"
+#include "libmorph/pipeline/deform_settings.h"
 
 #include <array>
 #include <cstdio>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -106,17 +107,20 @@ std::string case_text(const std::string& tool, const std::string& mesh_file, con
     for (const BoundaryText& boundary : boundaries)
         text += boundary_text(boundary) + '\n';
     text += "[deform]\n# The control points' influence is spread into the mesh by one linear solve.\n"
-            "method = \"harmonic\"\n"
-            "# Stiffer near the moving boundaries, so that small elements there move along rather than\n"
+            "method = " +
+            toml_string(to_string(Method::harmonic)) +
+            "\n# Stiffer near the moving boundaries, so that small elements there move along rather than\n"
             "# fold; \"uniform\" is Laplace's equation, \"inverse-area\" stiffens small elements.\n"
-            "diffusivity = \"inverse-distance\"\n"
-            "# Report inverted elements; \"none\" does not look.\n"
-            "guard = \"check\"\n"
-            "# Markers without a [[boundary]] stay where they are; to hold only some, list them:\n"
+            "diffusivity = " +
+            toml_string(to_string(Diffusivity::inverse_distance)) +
+            "\n# Report inverted elements; \"none\" does not look.\n"
+            "guard = " +
+            toml_string(to_string(Guard::check)) +
+            "\n# Markers without a [[boundary]] stay where they are; to hold only some, list them:\n"
             "# fixed = [\"farfield\"]\n\n";
     return text +
            "[output]\n# Relative to this file; -o of morph-deform wins.\nmesh = " + toml_string(output_mesh) +
            '\n';
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "tools/case/case_file.h"
+#include "libmorph/basis/curve.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
 /// One [[boundary]] of a case file to be written, with what a reader should know of it.
 struct BoundaryText {
@@ -13,7 +14,7 @@ struct BoundaryText {
     CurveDefinition curve;
     std::string note; ///< one line on how the curve came about
 
-    /// A few words beside single control points: {row, words}.
+    /// A few words next to single control points: {row, words}.
     std::vector<std::pair<Index, std::string>> point_notes;
 };
 
@@ -29,4 +30,4 @@ std::string case_text(const std::string& tool, const std::string& mesh_file, con
 /// A TOML string with its quotes.
 std::string toml_string(const std::string& text);
 
-} // namespace morph::tools
+} // namespace morph

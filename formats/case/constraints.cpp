@@ -1,12 +1,9 @@
-#include "tools/case/constraints_entry.h"
+#include "formats/case/entries.h"
+#include "formats/case/entry_numbers.h"
 
-#include "tools/case/entry_numbers.h"
-
-namespace morph::tools {
+namespace morph {
 
 namespace {
-
-const std::string kLattice = "lattice";
 
 std::string required_boundary(const TomlTable& table)
 {
@@ -16,11 +13,11 @@ std::string required_boundary(const TomlTable& table)
     return *name;
 }
 
-ThicknessEntry thickness_entry(const TomlTable& table)
+ThicknessSettings thickness_entry(const TomlTable& table)
 {
     table.require_known({"boundary", "at", "at_least", "equal", "keep_at_least", "keep"});
-    ThicknessEntry entry;
-    entry.line = table.line();
+    ThicknessSettings entry;
+    entry.where = table.where();
     entry.boundary = required_boundary(table);
     const auto at = table.numbers("at");
     if (!at || at->empty())
@@ -63,11 +60,11 @@ std::vector<std::array<Index, 3>> lattice_points(const TomlTable& table)
     return points;
 }
 
-ControlPointList tied_entry(const TomlTable& table)
+TieSettings tied_entry(const TomlTable& table)
 {
     table.require_known({"boundary", "control_points"});
-    ControlPointList entry{table.line(), required_boundary(table), {}};
-    if (entry.boundary == kLattice)
+    TieSettings entry{table.where(), required_boundary(table), {}};
+    if (entry.boundary == kLatticeName)
         entry.points = lattice_points(table);
     else
         for (const Index number : whole_numbers(table, "control_points", 1))
@@ -87,10 +84,10 @@ Eigen::Vector3d vector_of(const TomlTable& table, const std::string& key)
     return {values[0], values[1], values.size() == 3 ? values[2] : 0};
 }
 
-MirrorEntry mirror_entry(const TomlTable& table)
+MirrorSettings mirror_entry(const TomlTable& table)
 {
     table.require_known({"boundary", "at", "normal"});
-    MirrorEntry entry{table.line(), required_boundary(table), vector_of(table, "at"),
+    MirrorSettings entry{table.where(), required_boundary(table), vector_of(table, "at"),
                       vector_of(table, "normal")};
     if (!(entry.normal.norm() > 0))
         table.fail_missing("normal", "normal = [0, 1], across the line of symmetry");
@@ -99,11 +96,11 @@ MirrorEntry mirror_entry(const TomlTable& table)
 
 } // namespace
 
-ConstraintsEntry constraints_entry(const TomlTable& table)
+ConstraintSettings constraint_settings(const TomlTable& table)
 {
     table.require_known({"area", "fixed_vertices", "fixed_points", "thickness", "tied", "mirrored"});
-    ConstraintsEntry entry;
-    entry.line = table.line();
+    ConstraintSettings entry;
+    entry.where = table.where();
     entry.area = table.strings("area").value_or(std::vector<std::string>());
     entry.fixed_vertices = whole_numbers(table, "fixed_vertices", 0);
     entry.fixed_points = points_of(table, "fixed_points", {"x", "y", "z"});
@@ -116,4 +113,4 @@ ConstraintsEntry constraints_entry(const TomlTable& table)
     return entry;
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,6 +1,6 @@
-#include "tools/case/deform_entry.h"
+#include "formats/case/entries.h"
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -14,7 +14,7 @@ int steps_of(const TomlTable& table)
     return 0;
 }
 
-RigidEntry rigid_entry(const TomlTable& table)
+RigidMarker rigid_marker(const TomlTable& table)
 {
     table.require_known({"marker", "distance"});
     const auto marker = table.string("marker");
@@ -25,57 +25,33 @@ RigidEntry rigid_entry(const TomlTable& table)
         table.fail_missing("distance", "distance = 0.02");
     if (!(*distance > 0))
         table.fail(table.line("distance"), "[deform] rigid distance must be above 0");
-    return {table.line(), *marker, *distance};
+    return {*marker, *distance};
 }
 
 } // namespace
 
-const std::vector<std::string>& move_methods()
-{
-    static const std::vector<std::string> names{"harmonic", "ffd",        "rbf",    "idw",
-                                                "damping",  "elasticity", "spring", "biharmonic"};
-    return names;
-}
-
-const std::vector<std::string>& diffusivities()
-{
-    static const std::vector<std::string> names{"uniform", "inverse-distance", "inverse-area"};
-    return names;
-}
-
-const std::vector<std::string>& guards()
-{
-    static const std::vector<std::string> names{"none", "check", "untangle", "remesh"};
-    return names;
-}
-
-bool uses_rotations(const DeformEntry& deform)
-{
-    return deform.rotations.value_or(deform.method == "idw");
-}
-
-DeformEntry deform_entry(const TomlTable& table)
+DeformSettings deform_settings(const TomlTable& table)
 {
     std::vector<std::string> known{"method",    "diffusivity", "guard", "fixed",
                                    "rotations", "steps",       "slide", "rigid"};
     known.insert(known.end(), method_option_keys().begin(), method_option_keys().end());
     table.require_known(known);
-    DeformEntry entry;
-    entry.line = table.line();
-    entry.method = table.choice("method", move_methods()).value_or(entry.method);
-    entry.diffusivity = table.choice("diffusivity", diffusivities()).value_or(entry.diffusivity);
-    entry.guard = table.choice("guard", guards()).value_or(entry.guard);
+    DeformSettings entry;
+    entry.where = table.where();
+    entry.method = table.choice<Method>("method").value_or(entry.method);
+    entry.diffusivity = table.choice<Diffusivity>("diffusivity").value_or(entry.diffusivity);
+    entry.guard = table.choice<Guard>("guard").value_or(entry.guard);
     entry.fixed = table.strings("fixed");
     entry.rotations = table.boolean("rotations");
     entry.steps = steps_of(table);
     entry.slide = table.strings("slide").value_or(std::vector<std::string>());
     const TomlTable::TextsAndTables rigid = table.texts_and_tables("rigid");
     for (const std::string& marker : rigid.texts)
-        entry.rigid.push_back({table.line("rigid"), marker, 0});
+        entry.rigid.push_back({marker, 0});
     for (const TomlTable& item : rigid.tables)
-        entry.rigid.push_back(rigid_entry(item));
-    entry.options = method_options(table);
+        entry.rigid.push_back(rigid_marker(item));
+    read_method_options(table, entry);
     return entry;
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,22 +1,35 @@
 #pragma once
 
-#include "tools/case/toml_table.h"
+#include "formats/case/toml_table.h"
+#include "libmorph/pipeline/settings.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// One [[pull]]: vertices of the mesh, named by number or as those nearest to points, and how far they shall
-/// move.
-struct PullEntry {
-    int line = 0;                ///< in the case file, for messages
-    std::vector<Index> vertices; ///< file numbers; empty: points are given
-    Matrix points;               ///< m x 3
-    Matrix displacements;        ///< m x 3, length unit of the mesh
+// The tables of a case file. Each is refused with an InputError "case.toml:12: what is wrong".
+
+/// [lattice]; of an FFD box only what the box does not have.
+struct LatticeEntry {
+    LatticeSettings settings;
+    std::string su2_box;         ///< tag of an FFD box of the mesh's SU2 file; empty: the settings have the shape
+    Matrix sparse_displacements; ///< rows i, j, k, dx, dy, dz as given
 };
 
-/// Read the [[pull]] entries of a case file.
-/// @throws InputError  "case.toml:12: what is wrong"
-std::vector<PullEntry> pull_entries(const TomlTable& root);
+LatticeEntry lattice_entry(const TomlTable& table);
+DeformSettings deform_settings(const TomlTable& table);
+ConstraintSettings constraint_settings(const TomlTable& table);
+std::vector<PullSettings> pull_settings(const TomlTable& root);
 
-} // namespace morph::tools
+/// The tables of methods in [deform] and the keys they have there.
+void read_method_options(const TomlTable& table, DeformSettings& deform);
+const std::vector<std::string>& method_option_keys();
+
+/// Rows i, j, k, dx, dy, dz as a matrix of all control points.
+/// @param where  in front of the message
+/// @throws InputError  a number beyond the lattice; names the row
+Matrix full_displacements(const Matrix& sparse, const std::array<Index, 3>& points, const std::string& where);
+
+} // namespace morph

@@ -1,6 +1,6 @@
-#include "tools/case/entry_numbers.h"
+#include "formats/case/entry_numbers.h"
 
-namespace morph::tools {
+namespace morph {
 
 std::vector<Index> whole_numbers(const TomlTable& table, const std::string& key, Index base)
 {
@@ -26,4 +26,4 @@ Matrix points_of(const TomlTable& table, const std::string& key, const std::vect
     return full;
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "tools/case/toml_table.h"
+#include "formats/case/toml_table.h"
 
 #include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
 /// Whole numbers from @p base on, lowered by it; none when the key is missing.
 std::vector<Index> whole_numbers(const TomlTable& table, const std::string& key, Index base);
@@ -15,4 +15,4 @@ std::vector<Index> whole_numbers(const TomlTable& table, const std::string& key,
 /// @param columns  three names for a file of rows, the first two of them in the plane
 Matrix points_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& columns);
 
-} // namespace morph::tools
+} // namespace morph

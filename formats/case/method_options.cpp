@@ -1,8 +1,15 @@
-#include "tools/case/method_options.h"
+#include "formats/case/entries.h"
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
+
+/// Keeps @p value where the key is missing.
+template <typename Value>
+void take(const std::optional<Value>& given, Value& value)
+{
+    value = given.value_or(value);
+}
 
 std::optional<double> positive(const TomlTable& table, const std::string& key)
 {
@@ -12,52 +19,42 @@ std::optional<double> positive(const TomlTable& table, const std::string& key)
     return value;
 }
 
-MethodOptions::Rbf rbf_options(const TomlTable& table)
+void read_rbf(const TomlTable& table, DeformSettings& deform)
 {
     table.require_known({"function", "support", "linear", "tolerance"});
-    MethodOptions::Rbf rbf;
-    rbf.function =
-        table.choice("function", {"wendland-c0", "wendland-c2", "wendland-c4", "thin-plate", "gauss"})
-            .value_or(rbf.function);
-    rbf.support = positive(table, "support").value_or(rbf.support);
-    rbf.linear = table.boolean("linear").value_or(rbf.linear);
-    rbf.tolerance = positive(table, "tolerance");
-    return rbf;
+    take(table.choice<RadialFunction>("function"), deform.rbf.function);
+    take(positive(table, "support"), deform.rbf.support);
+    take(table.boolean("linear"), deform.rbf.linear);
+    deform.rbf_tolerance = positive(table, "tolerance");
 }
 
-MethodOptions::Idw idw_options(const TomlTable& table)
+void read_idw(const TomlTable& table, IdwOptions& idw)
 {
     table.require_known({"far_exponent", "near_exponent", "reach", "stiffness"});
-    return {positive(table, "far_exponent"), positive(table, "near_exponent"), positive(table, "reach"),
-            table.number("stiffness")};
+    take(positive(table, "far_exponent"), idw.far_exponent);
+    take(positive(table, "near_exponent"), idw.near_exponent);
+    take(positive(table, "reach"), idw.reach);
+    take(table.number("stiffness"), idw.stiffness);
 }
 
-MethodOptions::Elasticity elasticity_options(const TomlTable& table)
+void read_elasticity(const TomlTable& table, Elasticity& elasticity)
 {
     table.require_known({"modulus", "poisson_ratio"});
-    MethodOptions::Elasticity elasticity;
-    elasticity.modulus =
-        table.choice("modulus", {"uniform", "inverse-distance", "inverse-area"}).value_or(elasticity.modulus);
-    elasticity.poisson_ratio = table.number("poisson_ratio").value_or(elasticity.poisson_ratio);
-    return elasticity;
+    take(table.choice<YoungsModulus>("modulus"), elasticity.modulus);
+    take(table.number("poisson_ratio"), elasticity.poisson_ratio);
 }
 
-MethodOptions::Spring spring_options(const TomlTable& table)
+void read_spring(const TomlTable& table, SpringOptions& spring)
 {
     table.require_known({"stiffness", "bracing"});
-    MethodOptions::Spring spring;
-    spring.stiffness =
-        table.choice("stiffness", {"inverse-length", "inverse-length-squared"}).value_or(spring.stiffness);
-    spring.bracing = table.choice("bracing", {"none", "torsion", "ball-vertex"}).value_or(spring.bracing);
-    return spring;
+    take(table.choice<SpringStiffness>("stiffness"), spring.stiffness);
+    take(table.choice<SpringBracing>("bracing"), spring.bracing);
 }
 
-MethodOptions::Biharmonic biharmonic_options(const TomlTable& table)
+void read_biharmonic(const TomlTable& table, BiharmonicCondition& condition)
 {
     table.require_known({"condition"});
-    MethodOptions::Biharmonic biharmonic;
-    biharmonic.condition = table.choice("condition", {"clamped", "conformal"}).value_or(biharmonic.condition);
-    return biharmonic;
+    take(table.choice<BiharmonicCondition>("condition"), condition);
 }
 
 } // namespace
@@ -68,21 +65,19 @@ const std::vector<std::string>& method_option_keys()
     return keys;
 }
 
-MethodOptions method_options(const TomlTable& deform)
+void read_method_options(const TomlTable& table, DeformSettings& deform)
 {
-    MethodOptions options;
-    const auto table = [&](const std::string& key) { return deform.table(key, "[deform." + key + "]"); };
-    if (const auto rbf = table("rbf"))
-        options.rbf = rbf_options(*rbf);
-    if (const auto idw = table("idw"))
-        options.idw = idw_options(*idw);
-    if (const auto elasticity = table("elasticity"))
-        options.elasticity = elasticity_options(*elasticity);
-    if (const auto spring = table("spring"))
-        options.spring = spring_options(*spring);
-    if (const auto biharmonic = table("biharmonic"))
-        options.biharmonic = biharmonic_options(*biharmonic);
-    return options;
+    const auto of = [&](const std::string& key) { return table.table(key, "[deform." + key + "]"); };
+    if (const auto rbf = of("rbf"))
+        read_rbf(*rbf, deform);
+    if (const auto idw = of("idw"))
+        read_idw(*idw, deform.idw);
+    if (const auto elasticity = of("elasticity"))
+        read_elasticity(*elasticity, deform.elasticity);
+    if (const auto spring = of("spring"))
+        read_spring(*spring, deform.spring);
+    if (const auto biharmonic = of("biharmonic"))
+        read_biharmonic(*biharmonic, deform.biharmonic);
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,35 +1,40 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/core/types.h"
 
-#include <toml++/toml.h>
-
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// A table of a TOML file that checks what it is asked for: every complaint is "file:line: what was
-/// expected", every number finite, and a key that nobody knows an error that names the nearest.
+/// A table of a TOML file that checks what it is asked for: every error is "file:line: what was expected", every
+/// number finite, and an unknown key an error that names the nearest.
 class TomlTable {
 public:
-    /// @param name  as a person would write it, such as "[mesh]", for messages
-    TomlTable(const toml::table& table, std::string path, std::string name);
+    /// The whole of a file.
+    /// @param path  of the file, for messages and relative paths in it
+    /// @param name  of the table as a person would write it, for messages
+    /// @throws InputError  "file:line: ..." where it is no TOML
+    static TomlTable parse(std::string_view bytes, const std::string& path, const std::string& name);
 
     /// @throws InputError  a key is not in @p known; names the nearest
     void require_known(const std::vector<std::string>& known) const;
 
-    bool has(const std::string& key) const { return table_.contains(key); }
-    int line() const { return line_of(table_); }
+    bool has(const std::string& key) const;
+    int line() const;
     int line(const std::string& key) const;
-    const std::string& path() const { return path_; }
+
+    /// "file:line: " of the table, in front of messages about it.
+    std::string where() const { return where(line()); }
+    std::string where(int line) const;
 
     /// Whether the value is a text in quotes.
-    bool is_text(const std::string& key) const
-    {
-        return table_.contains(key) && table_.get(key)->is_string();
-    }
+    bool is_text(const std::string& key) const;
     std::optional<std::string> string(const std::string& key) const;
     std::optional<bool> boolean(const std::string& key) const;
     std::optional<double> number(const std::string& key) const;
@@ -39,6 +44,13 @@ public:
     std::optional<std::vector<std::string>> strings(const std::string& key) const;
     /// One of @p choices.
     std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices) const;
+    /// The value of an enum by its name.
+    template <NamedEnum Enum>
+    std::optional<Enum> choice(const std::string& key) const
+    {
+        const std::optional<std::string> name = choice(key, names_of<Enum>());
+        return name ? std::optional(from_string<Enum>(*name)) : std::nullopt;
+    }
     /// [[x, y], ...], or { file = "points.csv", columns = ["x", "y"] } with the path relative to this file;
     /// @p columns are the defaults.
     std::optional<Points2> pairs(const std::string& key, const std::vector<std::string>& columns) const;
@@ -61,20 +73,16 @@ public:
     [[noreturn]] void fail_missing(const std::string& key, const std::string& example) const;
 
 private:
-    static int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-    /// "[mesh] file", for messages.
-    std::string label(const std::string& key) const { return name_ + " " + key; }
-    double finite(const toml::node& node, const std::string& what) const;
-    const toml::array& array(const std::string& key, const std::string& expected) const;
+    struct Node; ///< of the document, which it keeps alive
+    explicit TomlTable(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+
     Matrix rows_from_array(const std::string& key, const std::vector<std::string>& columns) const;
     Matrix rows_from_file(const std::string& key, const std::vector<std::string>& columns) const;
 
-    const toml::table& table_;
-    std::string path_;
-    std::string name_;
+    std::shared_ptr<const Node> node_;
 };
 
-/// A path in a case file is relative to the file's folder.
-std::string beside(const std::string& file, const std::string& path);
+/// A path that a file names, which is relative to the file's folder.
+std::string relative_to(const std::string& file, const std::string& path);
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/spline_axis.h"
+#include "libmorph/core/names.h"
 #include "libmorph/core/types.h"
 
 #include <Eigen/Core>
@@ -15,6 +16,12 @@ enum class LatticeBasis {
     bspline,   ///< clamped B-splines [Griessmair & Purgathofer 1989, Eurographics, 137-148]
     bernstein, ///< degree = points - 1 [Sederberg & Parry 1986, SIGGRAPH 20(4), 151-160]
 };
+
+template <>
+inline constexpr auto kEnumNames<LatticeBasis> = std::to_array<EnumName<LatticeBasis>>({
+    {LatticeBasis::bspline, "bspline"},
+    {LatticeBasis::bernstein, "bernstein"},
+});
 
 /// What a lattice of free-form deformation is made from. Directions i, j, k go with the parameters u, v, w;
 /// in the plane k has one control point and degree 0.

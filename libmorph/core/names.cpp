@@ -1,5 +1,7 @@
 #include "libmorph/core/names.h"
 
+#include "libmorph/core/error.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -67,6 +69,22 @@ std::string number_text(double value)
     std::array<char, 32> digits{};
     std::snprintf(digits.data(), digits.size(), "%.9g", value);
     return digits.data();
+}
+
+std::string short_number(double value)
+{
+    std::array<char, 32> digits{};
+    std::snprintf(digits.data(), digits.size(), "%.4g", value);
+    return digits.data();
+}
+
+std::size_t index_of_name(std::string_view name, const std::vector<std::string>& names)
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw InputError("'" + std::string(name) + "' is none of " + joined(names) +
+                         did_you_mean(name, names));
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 } // namespace morph

@@ -1,52 +1,50 @@
 #pragma once
 
-#include "tools/case/toml_table.h"
+#include "libmorph/core/types.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// Which control points an entry speaks of.
-struct ControlPointList {
-    int line = 0;                             ///< in the case file, for messages
-    std::string boundary;                     ///< or "lattice"
+/// The name that control points of the lattice have in the place of a boundary's.
+inline constexpr const char* kLatticeName = "lattice";
+
+/// Control points of a boundary or lattice that get the same displacement.
+struct TieSettings {
+    std::string where;                        ///< in front of messages about it: "case.toml:12: "
+    std::string boundary;                     ///< or kLatticeName
     std::vector<std::array<Index, 3>> points; ///< boundary: {number, 0, 0}, from 0; lattice: {i, j, k}
 };
 
 /// Control points of a boundary or lattice that mirror each other in a line, or a plane in space.
-struct MirrorEntry {
-    int line = 0;
-    std::string boundary;                         ///< or "lattice"
+struct MirrorSettings {
+    std::string where;
+    std::string boundary;                         ///< or kLatticeName
     Eigen::Vector3d at = Eigen::Vector3d::Zero(); ///< a point of the mirror
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
 };
 
 /// Thickness of a closed boundary along the lines x = at.
-struct ThicknessEntry {
-    int line = 0;
+struct ThicknessSettings {
+    std::string where;
     std::string boundary;
-    std::vector<double> at; ///< x of the stations
+    std::vector<double> at; ///< x of the stations, length unit of the mesh
     bool at_least = false;  ///< else equal
-    double value = 0;
-    bool relative = false; ///< value is a part of the thickness before the move; else a length
+    double value = 0;       ///< above 0
+    bool relative = false;  ///< value is a part of the thickness before the move; else a length
 };
 
-/// [constraints]: what the move must keep.
-struct ConstraintsEntry {
-    int line = 0;
-    std::vector<std::string> area; ///< boundaries whose inside keeps its area
-    std::vector<Index> fixed_vertices;
-    Matrix fixed_points; ///< m x 3: the vertices nearest to them stay
-    std::vector<ThicknessEntry> thicknesses;
-    std::vector<ControlPointList> ties;
-    std::vector<MirrorEntry> mirrors;
+/// What the move must keep.
+struct ConstraintSettings {
+    std::string where;
+    std::vector<std::string> area;     ///< boundaries whose inside keeps its area
+    std::vector<Index> fixed_vertices; ///< file numbers
+    Matrix fixed_points;               ///< m x 3: the vertices nearest to them stay; may be empty
+    std::vector<ThicknessSettings> thicknesses;
+    std::vector<TieSettings> ties;
+    std::vector<MirrorSettings> mirrors;
 };
 
-/// Read [constraints].
-/// @throws InputError  "case.toml:12: what is wrong"
-ConstraintsEntry constraints_entry(const TomlTable& table);
-
-} // namespace morph::tools
+} // namespace morph

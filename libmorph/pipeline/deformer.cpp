@@ -1,244 +1,204 @@
-#include "tools/deform/case_motion.h"
+#include "libmorph/pipeline/deformer.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/deform/apply.h"
-#include "libmorph/deform/controlled_points.h"
+#include "libmorph/deform/gradient.h"
 #include "libmorph/deform/move_lattice.h"
-#include "tools/deform/case_constraints.h"
+#include "libmorph/pipeline/detail/check_and_repair.h"
+#include "libmorph/pipeline/detail/constraint_setup.h"
+#include "libmorph/pipeline/detail/lattice_fit.h"
+#include "libmorph/pipeline/detail/prepared_motion.h"
+#include "libmorph/pipeline/detail/pull_setup.h"
 
-#include <Eigen/Cholesky>
-
-#include <algorithm>
-#include <cmath>
-
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
-CaseMotion motion_of_lattice(const Mesh& mesh, const CaseFile& file)
-{
-    CaseMotion motion;
-    motion.lattice = place_lattice(mesh, file);
-    motion.displacements = motion.lattice->displacements;
-    if (!file.boundaries.empty())
-        motion.curves = parametrize_boundaries(mesh, file);
-    motion.weights = motion.lattice->weights;
-    return motion;
-}
-
-/// Displacements of the curves' nodes as their control points want them.
-Matrix wanted_displacements(const PlacedBoundaries& curves, std::vector<Index>& vertices)
-{
-    std::vector<Eigen::RowVector2d> wanted;
-    for (std::size_t b = 0; b < curves.boundaries.size(); ++b) {
-        const CurveBoundary& boundary = curves.boundaries[b];
-        const Curve moved = moved_curve(curves, b);
-        for (std::size_t i = 0; i < boundary.vertices.size(); ++i) {
-            const double u = boundary.parameters[i].u;
-            vertices.push_back(boundary.vertices[i]);
-            wanted.emplace_back((moved.point(u) - boundary.curve.point(u)).transpose());
-        }
-    }
-    Matrix rows(static_cast<Index>(wanted.size()), 2);
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        rows.row(static_cast<Index>(i)) = wanted[i];
-    return rows;
-}
-
-/// Bring the nodes of the curves near to where they are wanted by a lattice.
-///
-/// Least squares alone would take any swing of control points far from the nodes for the last bit of
-/// exactness, and tear the mesh around with it. A change of the control points therefore counts too,
-/// kSmallest of what the control point that moves the nodes most does [Tikhonov & Arsenin 1977, Solutions of
-/// Ill-Posed Problems].
-double fit_lattice(const Mesh& mesh, CaseMotion& motion)
-{
-    constexpr double kSmallest = 1e-3;
-    std::vector<Index> vertices;
-    const Matrix wanted = wanted_displacements(motion.curves, vertices);
-    const ControlledPoints nodes = controlled_vertices(motion.rows(), points(mesh), vertices);
-    Eigen::MatrixXd R(nodes.weights);
-    for (const Index held : motion.held())
-        R.col(held).setZero();
-    const Eigen::MatrixXd start = wanted - R * motion.displacements;
-    const double damping = kSmallest * R.colwise().norm().maxCoeff();
-    Eigen::MatrixXd normal = R.transpose() * R;
-    normal.diagonal().array() += damping * damping;
-    motion.displacements += normal.ldlt().solve(R.transpose() * start);
-    return (wanted - R * motion.displacements).rowwise().norm().maxCoeff();
-}
-
-bool reweighs(const CaseFile& file)
-{
-    return file.lattice && !file.lattice->moved_weights.empty();
-}
-
-/// The weights of the boundary alone, as rows of all vertices.
-SparseWeights boundary_weights(const Mesh& mesh, const BoundaryConditions& conditions)
-{
-    SparseWeights weights{conditions.columns, {}};
-    std::vector<Eigen::Triplet<double, Index>> entries;
-    for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
-        for (Index k = 0; k < conditions.held.values.cols(); ++k)
-            if (const double value = conditions.held.values(static_cast<Index>(i), k); value != 0)
-                entries.emplace_back(conditions.held.vertices[i], k, value);
-    weights.values.resize(vertex_count(mesh), conditions.held.values.cols());
-    weights.values.setFromTriplets(entries.begin(), entries.end());
-    return weights;
-}
-
-void require_no_weights_wanted(const CaseFile& file, const std::string& weights_file)
-{
-    if (!weights_file.empty())
-        throw InputError(
-            file.path + ":" + std::to_string(file.deform.line) +
-            ": [deform] rotations, steps, slide, rigid and methods that couple x and y move the mesh by "
-            "more than weights, so they cannot use those of " +
-            weights_file);
-}
-
 /// With other weights of the control points the map is not linear in them.
-void move_reweighed(const CaseFile& file, const CaseMotion& motion, const Eigen::Map<Points>& positions)
+void move_reweighted(const LatticeSettings& settings, const PlacedLattice& placed, const Matrix& displacements,
+                     const Eigen::Map<Points>& positions)
 {
-    const Lattice& before = motion.lattice->lattice;
+    const Lattice& before = placed.lattice;
     Points control_points = before.definition().control_points;
-    control_points.leftCols(motion.displacements.cols()) += motion.displacements;
-    const Lattice after =
-        before.with_weights(file.lattice->moved_weights).with_control_points(control_points);
-    move_by_lattice(before, after, motion.lattice->embedding, positions);
+    control_points.leftCols(displacements.cols()) += displacements;
+    const Lattice after = before.with_weights(settings.moved_weights).with_control_points(control_points);
+    move_by_lattice(before, after, placed.embedding, positions);
 }
 
-/// The vertices whose weights should sum to one.
-std::vector<Index> whole_rows(const CaseMotion& motion)
+std::vector<std::string> warnings_of(const PreparedMotion& motion)
 {
-    std::vector<Index> rows;
-    if (motion.lattice && !motion.carry) {
-        if (std::holds_alternative<SparseWeights>(motion.weights))
-            for (std::size_t v = 0; v < motion.lattice->embedding.inside.size(); ++v)
-                if (motion.lattice->embedding.inside[v] != 0)
-                    rows.push_back(static_cast<Index>(v));
-        return rows;
-    }
-    std::vector<Index> fixed;
-    for (const SharedVertex& shared : motion.curves.conditions.shared)
-        if (!shared.fixed_by.empty())
-            fixed.push_back(shared.vertex);
-    for (const CurveBoundary& boundary : motion.curves.boundaries)
-        for (const Index v : boundary.vertices)
-            if (std::find(fixed.begin(), fixed.end(), v) == fixed.end())
-                rows.push_back(v);
-    return rows;
+    std::vector<std::string> warnings = placement_warnings(motion.curves);
+    if (motion.lattice)
+        warnings.insert(warnings.end(), motion.lattice->warnings.begin(), motion.lattice->warnings.end());
+    return warnings;
 }
 
 } // namespace
 
-const std::vector<ControlPoint>& CaseMotion::columns() const
-{
-    return std::visit([](const auto& filled) -> const std::vector<ControlPoint>& { return filled.columns; },
-                      weights);
-}
+struct Deformer::Parts {
+    const Mesh* mesh;
+    MotionSettings settings;
+    PreparedMotion motion;
+    std::vector<std::string> warnings;
 
-WeightsView CaseMotion::rows() const
-{
-    return std::visit([](const auto& filled) { return WeightsView(filled); }, weights);
-}
+    /// Where a lattice holds the mesh, the curves are what it is fitted to.
+    bool curves_are_targets() const { return settings.deform.method == Method::ffd; }
 
-std::vector<Index> CaseMotion::held() const
-{
-    return lattice ? lattice->held : std::vector<Index>();
-}
-
-CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file)
-{
-    if (file.deform.method == "ffd") {
-        if (carries_boundary(file.deform))
-            throw InputError(file.path + ":" + std::to_string(file.deform.line) +
-                             ": [deform] rotations, steps, slide and rigid go with methods that carry the "
-                             "boundary's move into the mesh, not with \"ffd\"");
-        return motion_of_lattice(mesh, file);
+    void require_shape(const Matrix& displacements) const
+    {
+        const Matrix& given = motion.displacements;
+        if (displacements.rows() != given.rows() || displacements.cols() != given.cols())
+            throw InputError("displacements is " + std::to_string(displacements.rows()) + " x " +
+                             std::to_string(displacements.cols()) + ", expected " +
+                             std::to_string(given.rows()) + " x " + std::to_string(given.cols()));
+        if (!displacements.allFinite())
+            throw InputError("displacements must be finite numbers");
     }
-    CaseMotion motion;
-    if (file.boundaries.empty()) {
-        motion.lattice = place_lattice(mesh, file);
-        motion.curves = lattice_boundary(mesh, file, *motion.lattice);
-    } else {
-        motion.curves = parametrize_boundaries(mesh, file);
+
+    void require_ends_that_meet(const Matrix& displacements) const
+    {
+        if (!curves_are_targets() && !motion.curves.boundaries.empty())
+            require_ends_together(*mesh, motion.curves.boundaries, motion.curves.conditions, displacements);
     }
-    motion.displacements = motion.curves.displacements;
-    if (carries_boundary(file.deform)) {
-        require_no_weights_wanted(file, weights_file);
-        motion.carry = boundary_carry(motion.curves, file);
-        motion.weights = boundary_weights(mesh, motion.curves.conditions);
-        return motion;
-    }
-    motion.weights = weights_file.empty() ? solve_weights(mesh, motion.curves, file)
-                                          : load_weights(weights_file, mesh, motion.curves);
-    return motion;
+};
+
+Deformer::Deformer(const Mesh& mesh, MotionSettings settings, std::optional<Weights> weights)
+{
+    check(settings);
+    PreparedMotion motion = prepare_motion(mesh, settings, std::move(weights));
+    std::vector<std::string> warnings = warnings_of(motion);
+    parts_ = std::make_unique<const Parts>(
+        Parts{&mesh, std::move(settings), std::move(motion), std::move(warnings)});
 }
 
-ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion)
+Deformer::~Deformer() = default;
+Deformer::Deformer(Deformer&&) noexcept = default;
+Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+
+const Mesh& Deformer::mesh() const
 {
+    return *parts_->mesh;
+}
+
+const MotionSettings& Deformer::settings() const
+{
+    return parts_->settings;
+}
+
+const std::vector<CurveBoundary>& Deformer::boundaries() const
+{
+    return parts_->motion.curves.boundaries;
+}
+
+const PlacedLattice* Deformer::lattice() const
+{
+    return parts_->motion.lattice ? &*parts_->motion.lattice : nullptr;
+}
+
+const std::vector<ControlPoint>& Deformer::control_points() const
+{
+    return parts_->motion.columns();
+}
+
+const Matrix& Deformer::displacements() const
+{
+    return parts_->motion.displacements;
+}
+
+std::vector<Index> Deformer::held() const
+{
+    return parts_->motion.held();
+}
+
+const std::vector<std::string>& Deformer::warnings() const
+{
+    return parts_->warnings;
+}
+
+bool Deformer::is_linear() const
+{
+    return morph::is_linear(parts_->settings);
+}
+
+std::optional<WeightsView> Deformer::weights() const
+{
+    return is_linear() ? std::optional(parts_->motion.rows()) : std::nullopt;
+}
+
+WeightsCheck Deformer::weights_check() const
+{
+    return check_weights(parts_->motion);
+}
+
+std::size_t Deformer::weights_bytes() const
+{
+    return parts_->motion.rows().bytes();
+}
+
+Matrix Deformer::gradient(const Matrix& dJdX) const
+{
+    require_linear(parts_->settings);
+    return control_point_gradient(parts_->motion.rows(), dJdX);
+}
+
+ControlOutcome Deformer::satisfy(Matrix& displacements) const
+{
+    const MotionSettings& settings = parts_->settings;
+    const PreparedMotion& motion = parts_->motion;
+    parts_->require_shape(displacements);
     ControlOutcome outcome;
-    if (reweighs(file) && (file.deform.method != "ffd" || !file.pulls.empty() || file.constraints))
-        throw InputError(file.path + ":" + std::to_string(file.lattice->line) +
-                         ": [lattice] moved_weights goes with method = \"ffd\" alone, without pulls and "
-                         "constraints: the move is not linear in them");
-    if (file.deform.method == "ffd" && !motion.curves.boundaries.empty())
-        outcome.curve_misfit = fit_lattice(mesh, motion);
-    if (!file.pulls.empty())
-        outcome.pull = pull(mesh, file, motion.rows(), motion.held(), motion.displacements);
-    if (file.constraints)
-        outcome.constrained = constrain(mesh, file, outcome.pull, motion);
-    if (file.deform.method == "ffd")
-        return outcome;
-    motion.curves.displacements = motion.displacements;
-    if (!motion.curves.boundaries.empty())
-        require_ends_together(mesh, motion.curves.boundaries, motion.curves.conditions,
-                              motion.curves.displacements);
+    if (parts_->curves_are_targets() && !motion.curves.boundaries.empty())
+        outcome.curve_misfit = fit_lattice(mesh(), motion, displacements);
+    if (!settings.pulls.empty())
+        outcome.pull = pull(mesh(), settings.pulls, motion, displacements);
+    if (settings.constraints)
+        outcome.constrained = constrain(mesh(), settings, outcome.pull, motion, displacements);
     return outcome;
 }
 
-bool is_linear(const CaseFile& file)
+MoveResult Deformer::move() const
 {
-    return !reweighs(file) && !carries_boundary(file.deform);
+    Matrix displacements = parts_->motion.displacements;
+    ControlOutcome control = satisfy(displacements);
+    MoveResult result = move(displacements);
+    result.control = std::move(control);
+    return result;
 }
 
-int apply_motion(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion,
-                 Eigen::Map<Points> positions)
+MoveResult Deformer::move(const Matrix& displacements) const
 {
-    if (motion.carry)
-        return carry_boundary(mesh, *motion.carry, motion.displacements, positions);
-    if (reweighs(file))
-        move_reweighed(file, motion, positions);
+    const PlacedBoundaries& curves = parts_->motion.curves;
+    const auto before = points(mesh());
+    Stopwatch watch;
+    MoveResult result;
+    result.displacements = displacements;
+    result.positions = before;
+    result.steps = move_points(displacements, {result.positions.data(), result.positions.rows(), 3});
+    result.seconds.apply = watch.lap();
+    const Matrix& curve_displacements = parts_->curves_are_targets() ? curves.displacements : displacements;
+    for (std::size_t b = 0; b < curves.boundaries.size(); ++b)
+        result.fits.push_back(boundary_fit(curves, b, curve_displacements, before, result.positions));
+    if (mesh().dimension == 2 && is_linear())
+        result.safe_step = safe_step(mesh(), before, result.positions);
+    check_and_repair(mesh(), curves, curve_displacements, settings().deform.guard, result);
+    result.seconds.guard = watch.lap();
+    return result;
+}
+
+int Deformer::move_points(const Matrix& displacements, Eigen::Map<Points> positions) const
+{
+    const PreparedMotion& motion = parts_->motion;
+    parts_->require_shape(displacements);
+    parts_->require_ends_that_meet(displacements);
+    if (motion.nonlinear)
+        return move_nonlinear(mesh(), *motion.nonlinear, displacements, positions);
+    if (moves_lattice_weights(settings()))
+        move_reweighted(*settings().lattice, *motion.lattice, displacements, positions);
     else
-        std::visit([&](const auto& filled) { apply_weights(filled, motion.displacements, positions); },
+        std::visit([&](const auto& filled) { apply_weights(filled, displacements, positions); },
                    motion.weights);
     return 1;
 }
 
-WeightsCheck check_weights(const CaseMotion& motion)
-{
-    const WeightsView rows = motion.rows();
-    WeightsCheck check;
-    std::vector<double> sums(static_cast<std::size_t>(rows.rows()));
-    for (Eigen::Index row = 0; row < rows.rows(); ++row)
-        rows.for_each(row, [&](Eigen::Index, double value) {
-            check.min = std::min(check.min, value);
-            check.max = std::max(check.max, value);
-            sums[static_cast<std::size_t>(row)] += value;
-        });
-    for (const Index v : whole_rows(motion))
-        check.partition_error =
-            std::max(check.partition_error, std::abs(sums[static_cast<std::size_t>(v)] - 1));
-    return check;
-}
-
-Weights dense_weights(const CaseMotion& motion)
-{
-    if (const Weights* dense = std::get_if<Weights>(&motion.weights))
-        return *dense;
-    const auto& sparse = std::get<SparseWeights>(motion.weights);
-    return {sparse.columns, Matrix(sparse.values)};
-}
-
-} // namespace morph::tools
+} // namespace morph

@@ -1,75 +1,95 @@
 #pragma once
 
-#include "libmorph/deform/constraints.h"
+#include "libmorph/pipeline/lattice_placement.h"
+#include "libmorph/pipeline/move_result.h"
+#include "libmorph/pipeline/settings.h"
 #include "libmorph/weights/weights_view.h"
-#include "tools/deform/boundary_carry.h"
-#include "tools/deform/case_control.h"
-#include "tools/deform/case_weights.h"
-#include "tools/deform/placed_lattice.h"
-#include "tools/deform/placement.h"
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// A case brought onto its mesh: its control points, whichever they are, and how the mesh follows them.
-struct CaseMotion {
-    PlacedBoundaries curves; ///< boundaries on their curves; none when a lattice moves the boundary
-    std::optional<PlacedLattice> lattice;         ///< with [lattice]
-    std::variant<Weights, SparseWeights> weights; ///< with carry those of the boundary alone
-    std::optional<BoundaryCarry> carry;           ///< when the mesh does not follow by weights
-    Matrix displacements;                         ///< K x 2 or K x 3, rows as the columns of the weights
-
-    const std::vector<ControlPoint>& columns() const;
-    WeightsView rows() const;
-    /// Control points that must keep their displacement.
-    std::vector<Index> held() const;
-};
-
-/// Bring a case onto its mesh and fill its weights.
+/// A mesh that is ready to be moved by its control points, as often as one likes: curves are on their markers,
+/// vertices in their lattice, systems factored and weights solved for. The mesh itself is never changed, and a
+/// move does not depend on those before it.
 ///
-/// Method "ffd": the lattice moves every vertex in it. Any other method: the curves move their markers, or,
-/// without curves, the lattice moves its markers, and the method carries the rest.
-/// @param weights_file  read the weights from it; empty: fill them
-/// @throws InputError, SolverError
-CaseMotion prepare_motion(const Mesh& mesh, const CaseFile& file, const std::string& weights_file = "");
+///     Deformer deformer(mesh, {.curves = {{.marker = "airfoil", .curve = curve, .displacements = D}}});
+///     MoveResult moved = deformer.move();
+///     points(mesh) = moved.positions; // when the deformer is needed no more
+///
+/// Equal bytes for any number of threads. Const functions may be called from several threads at once.
+class Deformer {
+public:
+    /// @param mesh     undeformed, n vertices; it is kept by reference: it must outlive the deformer and stay as
+    ///                 it is
+    /// @param weights  n x K, rows as the vertices of @p mesh, to be used instead of solving for them; the rows
+    ///                 of boundary nodes are set so that these land on their curves
+    /// @throws InputError   names the entry that cannot be, or that does not go with the mesh
+    /// @throws SolverError  as the method
+    Deformer(const Mesh& mesh, MotionSettings settings, std::optional<Weights> weights = std::nullopt);
+    ~Deformer();
+    Deformer(Deformer&&) noexcept;
+    Deformer& operator=(Deformer&&) noexcept;
 
-/// What the fit of a lattice to moved curves, pulls and constraints did to the displacements.
-struct ControlOutcome {
-    std::optional<PullOutcome> pull;
-    std::optional<ConstrainedMove> constrained;
-    std::optional<double>
-        curve_misfit; ///< largest distance of a boundary node to its moved curve, length unit of the mesh
+    const Mesh& mesh() const;
+    const MotionSettings& settings() const;
+    const std::vector<CurveBoundary>& boundaries() const; ///< one for each curve
+    const PlacedLattice* lattice() const;                 ///< null without one
+    const std::vector<ControlPoint>& control_points() const; ///< K
+    const Matrix& displacements() const; ///< K x d as the settings have them, d = 2 or, on surfaces, 3
+
+    /// Control points that must keep their displacement, ascending.
+    std::vector<Index> held() const;
+
+    /// What a person should know before trusting the result.
+    const std::vector<std::string>& warnings() const;
+
+    /// Whether the vertices move in proportion to the displacements.
+    bool is_linear() const;
+
+    /// New positions = old positions + weights * displacements; none where the move is not linear.
+    std::optional<WeightsView> weights() const;
+
+    /// Of the weights, where the move is not linear of those of the boundary.
+    WeightsCheck weights_check() const;
+
+    /// Memory of the weights in bytes.
+    std::size_t weights_bytes() const;
+
+    /// Derivatives of an objective by the control points from those by the vertices.
+    /// @param dJdX  n x d, rows as the vertices of the mesh
+    /// @return K x d
+    /// @throws InputError  the move is not linear; the sizes do not fit
+    Matrix gradient(const Matrix& dJdX) const;
+
+    /// Fit a lattice to the moved curves, then reach the pulls, then the constraints, each by the least change
+    /// of the displacements.
+    /// @param displacements  K x d, changed in place
+    /// @throws InputError, SolverError  names the entry; as satisfy_constraints()
+    ControlOutcome satisfy(Matrix& displacements) const;
+
+    /// Move by the displacements of the settings after satisfy(), then check and repair as the guard says.
+    /// @throws InputError, SolverError  as satisfy() and move_points()
+    MoveResult move() const;
+
+    /// The same for other displacements, which are used as they are.
+    /// @param displacements  K x d, length unit of the mesh
+    MoveResult move(const Matrix& displacements) const;
+
+    /// The move alone, without checks.
+    /// @param displacements  K x d, length unit of the mesh
+    /// @param positions      n x 3, points(mesh()) before, moved in place
+    /// @return the number of steps taken
+    /// @throws InputError   the sizes do not fit; ends of curves that meet are moved apart
+    /// @throws SolverError  as the method
+    int move_points(const Matrix& displacements, Eigen::Map<Points> positions) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<const Parts> parts_;
 };
 
-/// Let the curves that a lattice is fitted to, then [[pull]], then [constraints] have their say about the
-/// displacements.
-ControlOutcome control_motion(const Mesh& mesh, const CaseFile& file, CaseMotion& motion);
-
-/// Whether the vertices move in proportion to the displacements: not under a lattice whose weights change
-/// too, nor with rotations, steps, sliding markers and rigid layers.
-bool is_linear(const CaseFile& file);
-
-/// Move the vertices.
-/// @param mesh       before the move
-/// @param positions  n x 3, moved in place; may be those of @p mesh
-/// @return the number of steps taken, 1 but for [deform] steps
-int apply_motion(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion,
-                 Eigen::Map<Points> positions);
-
-/// Range of the weights, and how far rows that should sum to one do not: those of the curves' own nodes, and
-/// of the vertices that a lattice moves.
-struct WeightsCheck {
-    double min = 0;
-    double max = 0;
-    double partition_error = 0;
-};
-WeightsCheck check_weights(const CaseMotion& motion);
-
-/// The weights as a matrix that stores all of them, for files and for whoever needs their range.
-Weights dense_weights(const CaseMotion& motion);
-
-} // namespace morph::tools
+} // namespace morph

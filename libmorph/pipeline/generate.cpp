@@ -1,41 +1,38 @@
-#include "tools/case/generate_mesh.h"
+#include "libmorph/pipeline/generate.h"
 
 #include "libmorph/core/error.h"
 #include "libmorph/geometry/mesh_domain.h"
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
-DomainSpec domain_of(const CaseFile& file)
+DomainSpec domain_of(const GenerateSettings& settings, const std::vector<CurveMove>& curves)
 {
-    if (!file.generate)
-        throw InputError(file.path + ": nothing to generate: [mesh] has file, expected generate = { box = "
-                                     "[xmin, ymin, xmax, ymax], size = ... }");
     DomainSpec spec;
-    spec.box = file.generate->box;
-    spec.size = file.generate->size;
-    for (const BoundaryEntry& entry : file.boundaries) {
-        if (entry.nodes == 0)
-            throw InputError(file.path + ":" + std::to_string(entry.line) + ": boundary '" + entry.name +
+    spec.box = settings.box;
+    spec.size = settings.size;
+    for (const CurveMove& curve : curves) {
+        if (curve.nodes == 0)
+            throw InputError(curve.where + "boundary '" + curve.marker +
                              "' needs nodes = ..., the number of nodes it gets in the generated mesh");
-        spec.curves.push_back({entry.name, Curve(entry.curve), entry.nodes});
+        spec.curves.push_back({curve.marker, make_curve(curve), curve.nodes});
     }
     return spec;
 }
 
 } // namespace
 
-MeshData generate_mesh(const CaseFile& file)
+MeshData generate_mesh(const GenerateSettings& settings, const std::vector<CurveMove>& curves)
 {
-    const DomainSpec spec = domain_of(file);
+    const DomainSpec spec = domain_of(settings, curves);
     try {
         return mesh_domain(spec);
     } catch (const InputError& error) {
-        throw InputError(file.path + ": " + error.what());
+        throw InputError(settings.where + error.what());
     } catch (const SolverError& error) {
-        throw SolverError(file.path + ": " + error.what());
+        throw SolverError(settings.where + error.what());
     }
 }
 
-} // namespace morph::tools
+} // namespace morph

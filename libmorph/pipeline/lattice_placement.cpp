@@ -1,71 +1,14 @@
-#include "tools/deform/placed_lattice.h"
+#include "libmorph/pipeline/lattice_placement.h"
 
-#include "formats/su2_ffd.h"
 #include "libmorph/core/error.h"
-#include "libmorph/core/names.h"
 #include "libmorph/weights/harmonic_curves.h"
 #include "libmorph/weights/lattice_weights.h"
 
 #include <algorithm>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
-
-std::string place_of(const CaseFile& file)
-{
-    return file.path + ":" + std::to_string(file.lattice->line) + ": [lattice] ";
-}
-
-LatticeDefinition shape_of(const LatticeEntry& entry)
-{
-    LatticeDefinition shape;
-    shape.dimension = entry.dimension;
-    shape.basis = entry.basis == "bernstein" ? LatticeBasis::bernstein : LatticeBasis::bspline;
-    shape.degree = entry.degree;
-    shape.points = entry.points;
-    shape.knots = entry.knots;
-    shape.weights = entry.weights;
-    return shape;
-}
-
-/// The FFD box of that tag in the SU2 file of the mesh.
-Lattice su2_lattice(const Mesh& mesh, const CaseFile& file)
-{
-    std::vector<std::string> tags;
-    for (const Su2FfdBox& box : su2_ffd_boxes(mesh.sections, file.mesh_file)) {
-        tags.push_back(box.tag);
-        if (box.tag != file.lattice->su2_box)
-            continue;
-        LatticeDefinition shape;
-        shape.dimension = box.dimension;
-        shape.basis = box.bspline ? LatticeBasis::bspline : LatticeBasis::bernstein;
-        std::copy(box.degree.begin(), box.degree.end(), shape.degree.begin());
-        std::copy(box.points.begin(), box.points.end(), shape.points.begin());
-        shape.control_points = box.control_points;
-        return Lattice(shape);
-    }
-    throw InputError("su2_box '" + file.lattice->su2_box + "' is not in " + file.mesh_file + ", which has " +
-                     (tags.empty() ? "no FFD boxes" : joined(tags)) +
-                     did_you_mean(file.lattice->su2_box, tags));
-}
-
-Lattice lattice_of(const Mesh& mesh, const CaseFile& file)
-{
-    const LatticeEntry& entry = *file.lattice;
-    if (!entry.su2_box.empty())
-        return su2_lattice(mesh, file);
-    LatticeDefinition shape = shape_of(entry);
-    if (entry.corners)
-        return lattice_in_box(entry.corners->row(0).transpose(), entry.corners->row(1).transpose(), shape);
-    if (entry.axes) {
-        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-        axes.leftCols(entry.dimension) = entry.axes->bottomRows(entry.dimension).transpose();
-        return lattice_on_axes(entry.axes->row(0).transpose(), axes, shape);
-    }
-    shape.control_points = *entry.control_points;
-    return Lattice(shape);
-}
 
 /// Control points within @p layers of a face of the lattice.
 std::vector<Index> outer_control_points(const Lattice& lattice, Index layers)
@@ -108,39 +51,56 @@ void warn_of_folds(const LatticeTree& tree, PlacedLattice& placed)
                               ") on: a point there may have several places in it");
 }
 
-void warn_of_tears(const Mesh& mesh, const CaseFile& file, PlacedLattice& placed)
+void warn_of_tears(const Mesh& mesh, const DeformSettings& deform, PlacedLattice& placed)
 {
     const std::vector<Index> face = outer_control_points(placed.lattice, 1);
     const bool moves_faces = std::any_of(face.begin(), face.end(),
                                          [&](Index row) { return !placed.displacements.row(row).isZero(0); });
-    if (file.deform.method == "ffd" && moves_faces && box_cuts_mesh(mesh, placed.embedding))
+    if (deform.method == Method::ffd && moves_faces && box_cuts_mesh(mesh, placed.embedding))
         placed.warnings.push_back(
             "[lattice] moves control points on its faces while the mesh goes on outside: it tears "
             "there; continuity = 1 holds them, or make the box larger");
 }
 
 /// Control points that continuity holds lose their displacement.
-void hold_outer(const LatticeEntry& entry, PlacedLattice& placed)
+void hold_outer(const LatticeSettings& settings, PlacedLattice& placed)
 {
-    if (entry.continuity < 0)
+    if (settings.continuity < 0)
         return;
-    placed.held = outer_control_points(placed.lattice, entry.continuity + 1);
+    placed.held = outer_control_points(placed.lattice, settings.continuity + 1);
     std::size_t moved = 0;
     for (const Index row : placed.held) {
         moved += placed.displacements.row(row).isZero(0) ? 0 : 1;
         placed.displacements.row(row).setZero();
     }
     if (moved > 0)
-        placed.warnings.push_back("[lattice] continuity = " + std::to_string(entry.continuity) + " holds " +
+        placed.warnings.push_back("[lattice] continuity = " + std::to_string(settings.continuity) + " holds " +
                                   std::to_string(moved) + " control points that have displacements");
 }
 
-std::vector<std::string> lattice_markers(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed)
+/// Of all control points, in the dimension of the mesh.
+Matrix lattice_displacements(const LatticeSettings& settings, const Lattice& lattice)
 {
-    if (!file.lattice->markers.empty())
-        return file.lattice->markers;
+    const Matrix& given = settings.displacements;
+    if (given.size() == 0)
+        return Matrix::Zero(lattice.control_point_count(), lattice.dimension());
+    if (given.rows() != lattice.control_point_count() || given.cols() < lattice.dimension())
+        throw InputError("displacements is " + std::to_string(given.rows()) + " x " +
+                         std::to_string(given.cols()) + ", expected " +
+                         std::to_string(lattice.control_point_count()) + " x " +
+                         std::to_string(lattice.dimension()));
+    if (!given.allFinite())
+        throw InputError("displacements must be finite numbers");
+    return given.leftCols(lattice.dimension());
+}
+
+std::vector<std::string> lattice_markers(const Mesh& mesh, const MotionSettings& settings,
+                                         const PlacedLattice& placed)
+{
+    if (!settings.lattice->markers.empty())
+        return settings.lattice->markers;
     std::vector<std::string> inside;
-    const std::vector<std::string> fixed = file.deform.fixed.value_or(std::vector<std::string>());
+    const std::vector<std::string> fixed = settings.deform.fixed.value_or(std::vector<std::string>());
     for (const Marker& candidate : mesh.markers) {
         const bool held = std::find(fixed.begin(), fixed.end(), candidate.name) != fixed.end();
         const std::vector<Index> vertices = marker_vertices(candidate);
@@ -154,11 +114,11 @@ std::vector<std::string> lattice_markers(const Mesh& mesh, const CaseFile& file,
 
 } // namespace
 
-PlacedLattice place_lattice(const Mesh& mesh, const CaseFile& file)
+PlacedLattice place_lattice(const Mesh& mesh, const MotionSettings& settings)
 {
+    const LatticeSettings& given = *settings.lattice;
+    Lattice lattice = make_lattice(given);
     try {
-        const LatticeEntry& entry = *file.lattice;
-        Lattice lattice = lattice_of(mesh, file);
         if (lattice.dimension() != mesh.dimension)
             throw InputError(mesh.dimension == 2
                                  ? "is in space, but the mesh is planar: points must be [n, m]"
@@ -168,35 +128,29 @@ PlacedLattice place_lattice(const Mesh& mesh, const CaseFile& file)
         if (embedding.inside_count == 0)
             throw InputError("holds no vertex of the mesh");
         SparseWeights weights = lattice_weights(lattice, embedding);
-        const std::array<Index, 3>& counts = lattice.definition().points;
-        const Matrix displacements = entry.su2_box.empty()
-                                         ? entry.displacements
-                                         : spread_displacements(entry.sparse_displacements, counts,
-                                                                file.path + ":" + std::to_string(entry.line));
-        PlacedLattice placed{std::move(lattice),
-                             std::move(embedding),
-                             std::move(weights),
-                             displacements.leftCols(mesh.dimension),
-                             {},
-                             {}};
+        Matrix displacements = lattice_displacements(given, lattice);
+        PlacedLattice placed{
+            std::move(lattice), std::move(embedding), std::move(weights), std::move(displacements), {}, {}};
         warn_of_folds(tree, placed);
-        hold_outer(entry, placed);
-        warn_of_tears(mesh, file, placed);
+        hold_outer(given, placed);
+        warn_of_tears(mesh, settings.deform, placed);
         return placed;
     } catch (const InputError& error) {
-        throw InputError(place_of(file) + error.what());
+        throw InputError(given.where + "[lattice] " + error.what());
     }
 }
 
-PlacedBoundaries lattice_boundary(const Mesh& mesh, const CaseFile& file, const PlacedLattice& placed)
+PlacedBoundaries lattice_boundary(const Mesh& mesh, const MotionSettings& settings,
+                                  const PlacedLattice& placed)
 {
-    const std::vector<std::string> markers = lattice_markers(mesh, file, placed);
+    const std::string where = settings.lattice->where + "[lattice] ";
+    const std::vector<std::string> markers = lattice_markers(mesh, settings, placed);
     if (markers.empty())
-        throw InputError(place_of(file) + "holds no part of a marker that is not fixed");
-    std::vector<std::string> fixed = file.deform.fixed.value_or(other_markers(mesh, markers));
+        throw InputError(where + "holds no part of a marker that is not fixed");
+    std::vector<std::string> fixed = settings.deform.fixed.value_or(other_markers(mesh, markers));
     for (const std::string& name : markers)
         if (std::find(fixed.begin(), fixed.end(), name) != fixed.end())
-            throw InputError(place_of(file) + "moves marker '" + name + "', which is fixed as well");
+            throw InputError(where + "moves marker '" + name + "', which is fixed as well");
     std::vector<std::string> all = fixed;
     all.insert(all.end(), markers.begin(), markers.end());
     PlacedBoundaries result;
@@ -222,4 +176,4 @@ PlacedBoundaries lattice_boundary(const Mesh& mesh, const CaseFile& file, const 
     return result;
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,47 +1,39 @@
 #pragma once
 
-#include "tools/case/toml_table.h"
+#include "libmorph/basis/lattice.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// [lattice]: a box of control points around what is to be deformed. Control point (i, j, k) is row
-/// i + n (j + m k) of every matrix here.
-struct LatticeEntry {
-    int line = 0;                             ///< in the case file, for messages
-    int dimension = 2;                        ///< 2 or 3: how many numbers `points` has
-    std::string basis = "bspline";            ///< or "bernstein"
-    std::array<int, 3> degree{3, 3, 3};       ///< in the plane the third is 0
-    std::array<Index, 3> points{4, 4, 4};     ///< control points along i, j, k; in the plane the third is 1
-    std::array<std::vector<double>, 3> knots; ///< empty: uniform clamped
-
-    /// Where the control points are: one of these.
-    std::optional<Matrix> corners;        ///< box: 2 x 3, low and high
-    std::optional<Matrix> axes;           ///< origin and the edges from it, (1 + dimension) x 3
-    std::optional<Matrix> control_points; ///< N x 3
-    std::string su2_box;                  ///< tag of an FFD box in the SU2 mesh file
-
-    std::vector<double> weights;       ///< N, empty: all 1
-    std::vector<double> moved_weights; ///< N, empty: as before
-    Matrix displacements;              ///< N x 3; with su2_box 0 rows until the box is known
-    Matrix sparse_displacements;       ///< i, j, k, dx, dy, dz as given
-    int continuity = -1;               ///< order of continuity at the faces of the box; -1: none asked for
-    std::vector<std::string> markers;  ///< with another method: the markers it moves; empty: all not fixed
-
-    Index count() const { return points[0] * points[1] * points[2]; }
+/// A box along the axes.
+struct LatticeBox {
+    Eigen::Vector3d low, high; ///< z does not count in the plane
 };
 
-/// Read [lattice].
-/// @throws InputError  "case.toml:12: what is wrong"
-LatticeEntry lattice_entry(const TomlTable& table);
+/// A box turned or sheared at will.
+struct LatticeAxes {
+    Eigen::Vector3d origin;
+    Eigen::Matrix3d axes; ///< columns: the sides of the box along i, j, k; the third does not count in the plane
+};
 
-/// Rows i, j, k, dx, dy, dz as a matrix of all control points.
-/// @throws InputError  a number beyond the lattice; names the entry
-Matrix spread_displacements(const Matrix& sparse, const std::array<Index, 3>& points,
-                            const std::string& place);
+/// A lattice of free-form deformation around what is to be deformed. Control point (i, j, k) is row
+/// i + points[0] (j + points[1] k) of every matrix here.
+struct LatticeSettings {
+    std::string where;       ///< in front of messages about it: "case.toml:12: "
+    LatticeDefinition shape; ///< its control points do not count when there is a box or axes
+    std::optional<LatticeBox> box;
+    std::optional<LatticeAxes> axes;
+    Matrix displacements;              ///< N x 2 or N x 3, length unit of the mesh; empty: zero
+    std::vector<double> moved_weights; ///< N, of the moved lattice; empty: as before the move
+    int continuity = -1; ///< order of continuity at the faces of the box, which holds control points; -1: none
+    std::vector<std::string> markers; ///< with a method other than ffd: those it moves; empty: all not fixed
+};
 
-} // namespace morph::tools
+/// The lattice before the move.
+/// @throws InputError  as Lattice, lattice_in_box() and lattice_on_axes(); names [lattice]
+Lattice make_lattice(const LatticeSettings& settings);
+
+} // namespace morph

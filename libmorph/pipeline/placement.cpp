@@ -1,14 +1,14 @@
-#include "tools/deform/placement.h"
+#include "libmorph/pipeline/placement.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 #include "libmorph/geometry/curve_crossing.h"
 #include "libmorph/weights/harmonic_curves.h"
-#include "tools/common/report.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -18,23 +18,23 @@ double size_of(const Curve& curve)
     return (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
 }
 
-/// Markers named in [deform] fixed, or every one that no curve carries and that does not slide.
-std::vector<std::string> fixed_markers(const Mesh& mesh, const CaseFile& file)
+/// Markers named in [deform] fixed, or every one that no curve moves and that does not slide.
+std::vector<std::string> fixed_markers(const Mesh& mesh, const MotionSettings& settings)
 {
-    std::vector<std::string> carried;
-    for (const BoundaryEntry& entry : file.boundaries)
-        carried.push_back(entry.name);
-    carried.insert(carried.end(), file.deform.slide.begin(), file.deform.slide.end());
-    return file.deform.fixed.value_or(other_markers(mesh, carried));
+    std::vector<std::string> moving;
+    for (const CurveMove& curve : settings.curves)
+        moving.push_back(curve.marker);
+    moving.insert(moving.end(), settings.deform.slide.begin(), settings.deform.slide.end());
+    return settings.deform.fixed.value_or(other_markers(mesh, moving));
 }
 
-Points2 stacked_displacements(const CaseFile& file, Eigen::Index columns)
+Points2 stacked_displacements(const std::vector<CurveMove>& curves, Eigen::Index columns)
 {
-    Points2 all(columns, 2);
+    Points2 all = Points2::Zero(columns, 2);
     Eigen::Index row = 0;
-    for (const BoundaryEntry& entry : file.boundaries) {
-        all.middleRows(row, entry.displacements.rows()) = entry.displacements;
-        row += entry.displacements.rows();
+    for (const CurveMove& curve : curves) {
+        all.middleRows(row, curve.displacements.rows()) = curve.displacements;
+        row += curve.curve.control_points.rows();
     }
     return all;
 }
@@ -44,51 +44,50 @@ std::string place_of(const CurveCrossing& crossing)
     return "(" + short_number(crossing.point.x()) + ", " + short_number(crossing.point.y()) + ")";
 }
 
-CurveBoundary placed_boundary(const Mesh& mesh, const CaseFile& file, const BoundaryEntry& entry)
+CurveBoundary placed_boundary(const Mesh& mesh, const CurveMove& move)
 {
-    const std::string place = file.path + ":" + std::to_string(entry.line) + ": ";
-    const Curve curve(entry.curve);
+    const Curve curve = make_curve(move);
     if (const auto crossing = find_self_crossing(curve))
-        throw InputError(place + "boundary '" + entry.name + "': the curve crosses itself near " +
+        throw InputError(move.where + "boundary '" + move.marker + "': the curve crosses itself near " +
                          place_of(*crossing));
     try {
-        return parametrize_marker(mesh, entry.name, curve);
+        return parametrize_marker(mesh, move.marker, curve);
     } catch (const InputError& error) {
-        throw InputError(place + error.what());
+        throw InputError(move.where + error.what());
     }
 }
 
 } // namespace
 
-PlacedBoundaries parametrize_boundaries(const Mesh& mesh, const CaseFile& file)
+PlacedBoundaries parametrize_boundaries(const Mesh& mesh, const MotionSettings& settings)
 {
     PlacedBoundaries placed;
-    for (const BoundaryEntry& entry : file.boundaries)
-        placed.boundaries.push_back(placed_boundary(mesh, file, entry));
+    for (const CurveMove& curve : settings.curves)
+        placed.boundaries.push_back(placed_boundary(mesh, curve));
     try {
-        placed.conditions = boundary_conditions(mesh, placed.boundaries, fixed_markers(mesh, file));
-        placed.displacements =
-            stacked_displacements(file, static_cast<Eigen::Index>(placed.conditions.columns.size()));
+        placed.conditions = boundary_conditions(mesh, placed.boundaries, fixed_markers(mesh, settings));
+        placed.displacements = stacked_displacements(
+            settings.curves, static_cast<Eigen::Index>(placed.conditions.columns.size()));
         require_ends_together(mesh, placed.boundaries, placed.conditions, placed.displacements);
     } catch (const InputError& error) {
-        throw InputError(file.path + ": " + error.what());
+        throw InputError(settings.where + error.what());
     }
     return placed;
 }
 
-Curve moved_curve(const PlacedBoundaries& placed, std::size_t b)
+Curve moved_curve(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements)
 {
     const Curve& curve = placed.boundaries[b].curve;
     return curve.with_control_points(
         curve.definition().control_points +
-        placed.displacements.middleRows(placed.conditions.first_column[b], curve.control_point_count()));
+        displacements.middleRows(placed.conditions.first_column[b], curve.control_point_count()));
 }
 
-BoundaryFit boundary_fit(const PlacedBoundaries& placed, std::size_t b,
-                         const Eigen::Ref<const Points>& before, const Eigen::Ref<const Points>& after)
+BoundaryFit boundary_fit(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements,
+                         const PositionsView& before, const PositionsView& after)
 {
     const CurveBoundary& boundary = placed.boundaries[b];
-    const Curve moved = moved_curve(placed, b);
+    const Curve moved = moved_curve(placed, b, displacements);
     BoundaryFit fit;
     for (std::size_t i = 0; i < boundary.vertices.size(); ++i) {
         const auto& [u, distance] = boundary.parameters[i];
@@ -123,12 +122,12 @@ std::vector<std::string> placement_warnings(const PlacedBoundaries& placed)
     return warnings;
 }
 
-std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed)
+std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed, const Matrix& displacements)
 {
     std::vector<std::string> found;
     std::vector<Curve> moved;
     for (std::size_t b = 0; b < placed.boundaries.size(); ++b) {
-        moved.push_back(moved_curve(placed, b));
+        moved.push_back(moved_curve(placed, b, displacements));
         const std::string who = "the moved boundary '" + placed.boundaries[b].name + "' crosses ";
         if (const auto crossing = find_self_crossing(moved[b]))
             found.push_back(who + "itself near " + place_of(*crossing));
@@ -139,4 +138,4 @@ std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed)
     return found;
 }
 
-} // namespace morph::tools
+} // namespace morph

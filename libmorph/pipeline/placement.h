@@ -1,14 +1,16 @@
 #pragma once
 
+#include "libmorph/pipeline/settings.h"
+#include "libmorph/quality/quality.h"
 #include "libmorph/weights/boundary.h"
-#include "tools/case/case_file.h"
 
 #include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
-/// A case brought onto its mesh: every boundary node has its parameter, every control point its displacement.
+/// The curves of a move on their markers: every boundary node has its parameter, every control point its
+/// displacement.
 struct PlacedBoundaries {
     std::vector<CurveBoundary> boundaries;
     BoundaryConditions conditions;
@@ -23,15 +25,19 @@ struct BoundaryFit {
                               ///< relative to the size of the curve
 };
 
-/// @throws InputError  "case.toml:12: …" for a boundary that does not go with the mesh
-PlacedBoundaries parametrize_boundaries(const Mesh& mesh, const CaseFile& file);
+/// Give every node of every curve's marker its parameter.
+/// @throws InputError  names the boundary that does not go with the mesh, or whose curve crosses itself; ends
+///                     that meet are moved apart
+PlacedBoundaries parametrize_boundaries(const Mesh& mesh, const MotionSettings& settings);
 
 /// The curve of boundary @p b with its control points displaced.
-Curve moved_curve(const PlacedBoundaries& placed, std::size_t b);
+/// @param displacements  K x 2, rows as placed.conditions.columns
+Curve moved_curve(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements);
 
+/// @param displacements  K x 2, rows as placed.conditions.columns
 /// @param before, after  n x 3 positions of the mesh's vertices
-BoundaryFit boundary_fit(const PlacedBoundaries& placed, std::size_t b,
-                         const Eigen::Ref<const Points>& before, const Eigen::Ref<const Points>& after);
+BoundaryFit boundary_fit(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements,
+                         const PositionsView& before, const PositionsView& after);
 
 /// What a person should know before trusting the result: a marker far off its curve, vertices that no
 /// marker names.
@@ -39,6 +45,7 @@ std::vector<std::string> placement_warnings(const PlacedBoundaries& placed);
 
 /// Where moved boundaries cross themselves or each other, one sentence each. No valid mesh exists then:
 /// its elements may all be positive and still lie on top of each other.
-std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed);
+/// @param displacements  K x 2, rows as placed.conditions.columns
+std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed, const Matrix& displacements);
 
-} // namespace morph::tools
+} // namespace morph

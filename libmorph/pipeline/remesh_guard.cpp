@@ -1,18 +1,18 @@
-#include "tools/deform/remesh_guard.h"
+#include "libmorph/pipeline/remesh_guard.h"
 
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/quality/quality.h"
 #include "libmorph/remesh/bad_region.h"
+#include "libmorph/remesh/group_regions.h"
 #include "libmorph/remesh/remesh.h"
 #include "libmorph/remesh/retriangulate.h"
 #include "libmorph/remesh/target_size.h"
-#include "tools/remesh/group_regions.h"
-#include "tools/remesh/transferred_fields.h"
+#include "libmorph/remesh/transferred_fields.h"
 
 #include <algorithm>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -49,7 +49,7 @@ double worst_quality(const Mesh& mesh)
     return all.empty() ? 1 : *std::min_element(all.begin(), all.end());
 }
 
-/// A moved mesh with its bad part triangulated anew.
+/// A moved mesh with its bad part triangulated again.
 struct Filled {
     Mesh mesh;
     std::vector<bool> kept; ///< by its elements
@@ -60,29 +60,24 @@ Filled filled(const Mesh& mesh, const std::vector<bool>& kept, const Points& bef
 {
     RetriangulateSettings settings;
     settings.shape = &before;
-    const Retriangulated anew = retriangulate(mesh, kept, settings);
-    Filled result{build_mesh(anew.data), {}, anew.cut_out};
+    const Retriangulated made = retriangulate(mesh, kept, settings);
+    Filled result{build_mesh(made.data), {}, made.cut_out};
     for (const Index element : result.mesh.numbering.element)
-        result.kept.push_back(!anew.made[at(element)]);
+        result.kept.push_back(!made.made[at(element)]);
     return result;
 }
 
 /// With the borders between groups kept, unless they are tangled themselves.
 Filled filled_between(Mesh& mesh, const std::vector<bool>& kept, const Points& before)
 {
-    Filled result;
-    const auto fill = [&](const Mesh& from) {
-        result = filled(from, kept, before);
-        return std::move(result.mesh);
-    };
-    const std::size_t markers = mesh.markers.size();
     try {
-        result.mesh = remesh_with_region_borders(mesh, group_regions(mesh), fill);
+        const RegionBorders borders(mesh, group_regions(mesh));
+        Filled result = filled(mesh, kept, before);
+        borders.remove_from(result.mesh);
+        return result;
     } catch (const InputError&) {
-        mesh.markers.resize(markers);
-        result = filled(mesh, kept, before);
+        return filled(mesh, kept, before);
     }
-    return result;
 }
 
 /// Takes the last of the fields off: edge lengths, positive. On the boundary, whose edges stay as they are,
@@ -102,13 +97,17 @@ Eigen::VectorXd take_sizes(Mesh& mesh)
     return (sizes.array() > 0).select(sizes, sizes.maxCoeff()); // vertices of no element have none
 }
 
-Mesh remade(const Mesh& mesh, const std::vector<bool>& kept, const Eigen::VectorXd& sizes)
+Mesh remeshed(Mesh& mesh, const GroupRegions& regions, const std::vector<bool>& kept,
+              const Eigen::VectorXd& sizes)
 {
+    const RegionBorders borders(mesh, regions);
     RemeshSettings settings;
     settings.kept = kept;
     settings.numbering = NumberingRule::keep_old;
     settings.hold_features = true;
-    return build_mesh(remesh(mesh, sizes, settings).data);
+    Mesh result = build_mesh(remesh(mesh, sizes, settings).data);
+    borders.remove_from(result);
+    return result;
 }
 
 } // namespace
@@ -125,18 +124,17 @@ std::optional<RemeshedPart> remesh_bad_part(Mesh& mesh, const Points& before)
     Filled part = filled_between(moved, all_but(mesh, bad, kRings), before);
     const Eigen::VectorXd sizes = take_sizes(part.mesh);
     const GroupRegions regions = group_regions(part.mesh);
-    Mesh anew = remesh_with_region_borders(part.mesh, regions,
-                                           [&](const Mesh& from) { return remade(from, part.kept, sizes); });
-    if (valid && worst_quality(anew) <= worst_quality(mesh))
+    Mesh improved = remeshed(part.mesh, regions, part.kept, sizes);
+    if (valid && worst_quality(improved) <= worst_quality(mesh))
         return std::nullopt;
     const Locator locator(part.mesh);
     if (!part.mesh.groups.empty())
-        anew.groups = transferred_groups(locator, regions, anew);
+        improved.groups = transferred_groups(locator, regions, improved);
     if (!part.mesh.fields.empty())
-        anew.fields = transferred_fields(locator, anew, part.mesh.fields);
-    const RemeshedPart counts{part.cut_out, mesh.numbering.file_vertices, anew.numbering.file_vertices};
-    mesh = std::move(anew);
+        improved.fields = transferred_fields(locator, improved, part.mesh.fields);
+    const RemeshedPart counts{part.cut_out, mesh.numbering.file_vertices, improved.numbering.file_vertices};
+    mesh = std::move(improved);
     return counts;
 }
 
-} // namespace morph::tools
+} // namespace morph

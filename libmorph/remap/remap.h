@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/remap/conserve_fields.h"
 #include "libmorph/remap/corner_weights.h"
@@ -19,6 +20,14 @@ enum class Outside {
     project, ///< the closest point of the source
     fail,    ///< nowhere: it is an error
 };
+
+template <>
+inline constexpr auto kEnumNames<Outside> = std::to_array<EnumName<Outside>>({
+    {Outside::idw, "idw"},
+    {Outside::nearest, "nearest"},
+    {Outside::project, "project"},
+    {Outside::fail, "fail"},
+});
 
 struct RemapSettings {
     std::optional<Outside> outside; ///< default: idw for a planar source, project for a surface

@@ -1,4 +1,4 @@
-#include "tools/remesh/group_regions.h"
+#include "libmorph/remesh/group_regions.h"
 
 #include "libmorph/remap/remap.h"
 
@@ -6,13 +6,27 @@
 #include <cmath>
 #include <map>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
 Index region_of(const GroupRegions& regions, Index element)
 {
     return static_cast<Index>(std::lround(regions.region.values(element, 0)));
+}
+
+Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::string& name)
+{
+    Marker borders{name, {}};
+    for (const auto halfedge : mesh.kernel.halfedges()) {
+        const auto left = mesh.kernel.face_handle(halfedge);
+        const auto right = mesh.kernel.face_handle(mesh.kernel.opposite_halfedge_handle(halfedge));
+        if (left.is_valid() && right.is_valid() &&
+            region_of(regions, left.idx()) < region_of(regions, right.idx()))
+            borders.edges.push_back({mesh.kernel.from_vertex_handle(halfedge).idx(),
+                                     mesh.kernel.to_vertex_handle(halfedge).idx()});
+    }
+    return borders;
 }
 
 } // namespace
@@ -35,33 +49,25 @@ GroupRegions group_regions(const Mesh& mesh)
     return regions;
 }
 
-Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::string& name)
-{
-    Marker borders{name, {}};
-    for (const auto halfedge : mesh.kernel.halfedges()) {
-        const auto left = mesh.kernel.face_handle(halfedge);
-        const auto right = mesh.kernel.face_handle(mesh.kernel.opposite_halfedge_handle(halfedge));
-        if (left.is_valid() && right.is_valid() &&
-            region_of(regions, left.idx()) < region_of(regions, right.idx()))
-            borders.edges.push_back({mesh.kernel.from_vertex_handle(halfedge).idx(),
-                                     mesh.kernel.to_vertex_handle(halfedge).idx()});
-    }
-    return borders;
-}
-
-Mesh remesh_with_region_borders(Mesh& mesh, const GroupRegions& regions,
-                                const std::function<Mesh(const Mesh&)>& remake)
+RegionBorders::RegionBorders(Mesh& mesh, const GroupRegions& regions) : mesh_(mesh)
 {
     if (regions.groups.size() < 2)
-        return remake(mesh);
-    std::string name = "borders of groups";
-    while (find_marker(mesh.markers, name))
-        name += '_';
-    mesh.markers.push_back(region_borders(mesh, regions, name));
-    Mesh remade = remake(mesh);
-    mesh.markers.pop_back();
-    std::erase_if(remade.markers, [&](const Marker& marker) { return marker.name == name; });
-    return remade;
+        return;
+    name_ = "borders of groups";
+    while (find_marker(mesh.markers, name_))
+        name_ += '_';
+    mesh.markers.push_back(region_borders(mesh, regions, name_));
+}
+
+RegionBorders::~RegionBorders()
+{
+    remove_from(mesh_);
+}
+
+void RegionBorders::remove_from(Mesh& remeshed) const
+{
+    if (!name_.empty())
+        std::erase_if(remeshed.markers, [&](const Marker& marker) { return marker.name == name_; });
 }
 
 std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegions& regions,
@@ -81,4 +87,4 @@ std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegi
     return groups;
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -3,10 +3,10 @@
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/remap/locate.h"
 
-#include <functional>
+#include <string>
 #include <vector>
 
-namespace morph::tools {
+namespace morph {
 
 /// The elements of a mesh by the combination of groups they are in.
 struct GroupRegions {
@@ -16,18 +16,27 @@ struct GroupRegions {
 
 GroupRegions group_regions(const Mesh& mesh);
 
-/// The edges between elements of different regions, each with the region of the lower number on its left: a
-/// marker of them makes remeshing keep these lines.
-Marker region_borders(const Mesh& mesh, const GroupRegions& regions, const std::string& name);
+/// While it exists, a mesh has a marker of the edges between elements of different regions, each with the region
+/// of the lower number on its left: so remeshing keeps edges along every border between groups.
+class RegionBorders {
+public:
+    /// @param mesh  gets the marker, where there are two regions or more; it must outlive this
+    RegionBorders(Mesh& mesh, const GroupRegions& regions);
+    ~RegionBorders();
+    RegionBorders(const RegionBorders&) = delete;
+    RegionBorders& operator=(const RegionBorders&) = delete;
 
-/// What @p remake makes of a mesh, with edges along every border between its groups: while it works they are
-/// a marker.
-Mesh remesh_with_region_borders(Mesh& mesh, const GroupRegions& regions,
-                                const std::function<Mesh(const Mesh&)>& remake);
+    /// Take the marker off a mesh that the first one was remeshed to.
+    void remove_from(Mesh& remeshed) const;
 
-/// The groups of a remade mesh, with the names of the old ones: each element is in those of the old element
+private:
+    Mesh& mesh_;
+    std::string name_; ///< of the marker; empty without one
+};
+
+/// The groups of a remeshed mesh, with the names of the old ones: each element is in those of the old element
 /// at its centre.
 std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegions& regions,
                                              const Mesh& mesh);
 
-} // namespace morph::tools
+} // namespace morph

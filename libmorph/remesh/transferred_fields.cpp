@@ -1,10 +1,10 @@
-#include "tools/remesh/transferred_fields.h"
+#include "libmorph/remesh/transferred_fields.h"
 
 #include "libmorph/remap/remap.h"
 
 #include <algorithm>
 
-namespace morph::tools {
+namespace morph {
 
 std::vector<Field> transferred_fields(const Locator& locator, const Mesh& mesh,
                                       const std::vector<Field>& fields)
@@ -17,4 +17,4 @@ std::vector<Field> transferred_fields(const Locator& locator, const Mesh& mesh,
     return Remapper(locator, mesh, settings).carry(list);
 }
 
-} // namespace morph::tools
+} // namespace morph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/coupled_extension.h"
@@ -7,6 +8,18 @@
 #include <memory>
 
 namespace morph {
+
+/// The second condition of biharmonic displacements on the held boundary.
+enum class BiharmonicCondition {
+    clamped,   ///< du/dn = 0: biharmonic_extension()
+    conformal, ///< the mesh turns with its boundary: conformal_biharmonic_extension()
+};
+
+template <>
+inline constexpr auto kEnumNames<BiharmonicCondition> = std::to_array<EnumName<BiharmonicCondition>>({
+    {BiharmonicCondition::clamped, "clamped"},
+    {BiharmonicCondition::conformal, "conformal"},
+});
 
 /// Biharmonic functions: laplace(laplace u) = 0 with two conditions on the held boundary, u as given and
 /// du/dn = 0 [for meshes: Helenbrook 2003, International Journal for Numerical Methods in Engineering 56(7),

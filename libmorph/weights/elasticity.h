@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/coupled_extension.h"
@@ -14,6 +15,13 @@ enum class YoungsModulus {
     inverse_distance, ///< 1 / distance of the element's centre to the nearest moving edge
     inverse_area      ///< 1 / area of the element
 };
+
+template <>
+inline constexpr auto kEnumNames<YoungsModulus> = std::to_array<EnumName<YoungsModulus>>({
+    {YoungsModulus::uniform, "uniform"},
+    {YoungsModulus::inverse_distance, "inverse-distance"},
+    {YoungsModulus::inverse_area, "inverse-area"},
+});
 
 /// The mesh as a linearly elastic solid in plane strain.
 struct Elasticity {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/numerics/dirichlet_laplacian.h"
 #include "libmorph/weights/boundary_extension.h"
@@ -16,6 +17,13 @@ enum class Diffusivity {
     inverse_distance, ///< g = 1 / distance to the nearest moving edge
     inverse_area      ///< g = 1 / mean area of the elements around
 };
+
+template <>
+inline constexpr auto kEnumNames<Diffusivity> = std::to_array<EnumName<Diffusivity>>({
+    {Diffusivity::uniform, "uniform"},
+    {Diffusivity::inverse_distance, "inverse-distance"},
+    {Diffusivity::inverse_area, "inverse-area"},
+});
 
 /// What harmonic_weights() solves.
 struct HarmonicProblem {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "libmorph/core/names.h"
+
 #include <Eigen/Core>
 
 namespace morph {
@@ -17,6 +19,15 @@ enum class RadialFunction {
     thin_plate,  ///< q^2 log q: needs linear terms, which make the support radius irrelevant
     gauss        ///< exp(-9 q^2), 1e-4 at q = 1; works for some dozens of centres only
 };
+
+template <>
+inline constexpr auto kEnumNames<RadialFunction> = std::to_array<EnumName<RadialFunction>>({
+    {RadialFunction::wendland_c0, "wendland-c0"},
+    {RadialFunction::wendland_c2, "wendland-c2"},
+    {RadialFunction::wendland_c4, "wendland-c4"},
+    {RadialFunction::thin_plate, "thin-plate"},
+    {RadialFunction::gauss, "gauss"},
+});
 
 /// phi of squared relative distances q^2, in place.
 void apply_radial(RadialFunction function, Eigen::Ref<Eigen::ArrayXd> squared);

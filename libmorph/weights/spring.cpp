@@ -140,6 +140,8 @@ std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const Diri
 std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
                                                           SpringStiffness stiffness, SpringBracing bracing)
 {
+    if (bracing == SpringBracing::none)
+        throw InputError("braced springs need a bracing, torsion or ball-vertex");
     const auto energy = [&](const ElementPoints& element, ElementMatrix& Q) {
         for (int i = 0; i < element.corners; ++i) {
             const Corner corner = corner_of(element, i);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/coupled_extension.h"
@@ -14,10 +15,30 @@ enum class SpringStiffness {
     inverse_length_squared ///< 1 / length^2: short edges keep their length better
 };
 
-/// What keeps the corners of elements from turning inside out, beside springs along the edges.
+template <>
+inline constexpr auto kEnumNames<SpringStiffness> = std::to_array<EnumName<SpringStiffness>>({
+    {SpringStiffness::inverse_length, "inverse-length"},
+    {SpringStiffness::inverse_length_squared, "inverse-length-squared"},
+});
+
+/// What keeps the corners of elements from turning inside out, in addition to springs along the edges.
 enum class SpringBracing {
+    none,       ///< nothing: spring_extension()
     torsion,    ///< springs against the change of each corner's angle, 1 / sin^2(angle)
     ball_vertex ///< springs from each corner to the line through its two neighbours
+};
+
+template <>
+inline constexpr auto kEnumNames<SpringBracing> = std::to_array<EnumName<SpringBracing>>({
+    {SpringBracing::none, "none"},
+    {SpringBracing::torsion, "torsion"},
+    {SpringBracing::ball_vertex, "ball-vertex"},
+});
+
+/// Which springs.
+struct SpringOptions {
+    SpringStiffness stiffness = SpringStiffness::inverse_length_squared;
+    SpringBracing bracing = SpringBracing::torsion;
 };
 
 /// Springs along the edges of the mesh that pull on x and y apart [Batina 1990, AIAA Journal 28(8),
@@ -47,7 +68,7 @@ std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const Diri
 /// Copies of a split vertex are one unknown; a vertex of no element stays.
 ///
 /// @throws InputError   as spring_extension(); a part of the mesh has fewer than two held vertices; a corner of
-///                      an element has no angle, three of its points being on a line
+///                      an element has no angle, three of its points being on a line; no bracing
 /// @throws SolverError  the system is singular
 std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
                                                           SpringStiffness stiffness, SpringBracing bracing);

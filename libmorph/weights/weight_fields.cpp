@@ -26,13 +26,21 @@ const Field& weight_field(const std::vector<Field>& fields, const std::string& n
 
 } // namespace
 
-std::vector<Field> weight_fields(const Weights& weights)
+std::vector<Field> weight_fields(const std::vector<ControlPoint>& columns, WeightsView weights)
 {
     std::vector<Field> fields;
-    for (std::size_t k = 0; k < weights.columns.size(); ++k)
-        fields.push_back({field_name(weights.columns[k]), FieldLocation::vertex,
-                          weights.values.col(static_cast<Eigen::Index>(k))});
+    for (const ControlPoint& column : columns)
+        fields.push_back({field_name(column), FieldLocation::vertex, Matrix::Zero(weights.rows(), 1)});
+    for (Eigen::Index row = 0; row < weights.rows(); ++row)
+        weights.for_each(row, [&](Eigen::Index column, double value) {
+            fields[static_cast<std::size_t>(column)].values(row, 0) = value;
+        });
     return fields;
+}
+
+std::vector<Field> weight_fields(const Weights& weights)
+{
+    return weight_fields(weights.columns, weights);
 }
 
 Weights weights_from_fields(const std::vector<Field>& fields, const std::vector<ControlPoint>& columns)

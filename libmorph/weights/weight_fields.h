@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/weights/weights.h"
+#include "libmorph/weights/weights_view.h"
 
 #include <vector>
 
@@ -9,6 +9,10 @@ namespace morph {
 /// Weights as nodal fields, one per control point, named h_<boundary>_<i> with i from 1, so that any
 /// viewer shows them and any mesh file carries them.
 std::vector<Field> weight_fields(const Weights& weights);
+
+/// The same for weights of which only those that are not zero are stored, and others.
+/// @param columns  K, of the columns of @p weights
+std::vector<Field> weight_fields(const std::vector<ControlPoint>& columns, WeightsView weights);
 
 /// The inverse of weight_fields().
 ///

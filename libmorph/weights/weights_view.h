@@ -14,6 +14,15 @@ public:
     Eigen::Index rows() const { return dense_ ? dense_->rows() : sparse_->rows(); } ///< n, vertices
     Eigen::Index cols() const { return dense_ ? dense_->cols() : sparse_->cols(); } ///< K, control points
 
+    /// Memory of the weights.
+    std::size_t bytes() const
+    {
+        if (dense_)
+            return sizeof(double) * static_cast<std::size_t>(dense_->size());
+        return (sizeof(double) + sizeof(Index)) * static_cast<std::size_t>(sparse_->nonZeros()) +
+               sizeof(Index) * static_cast<std::size_t>(sparse_->rows() + 1);
+    }
+
     /// Call use(column, value) for the weights of row @p row, columns ascending.
     template <typename Use>
     void for_each(Eigen::Index row, const Use& use) const

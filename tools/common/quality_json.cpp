@@ -1,5 +1,6 @@
 #include "tools/common/quality_json.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/report.h"
 
 #include <algorithm>

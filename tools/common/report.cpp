@@ -1,7 +1,5 @@
 #include "tools/common/report.h"
 
-#include <array>
-#include <cstdio>
 #include <iostream>
 
 namespace morph::tools {
@@ -34,21 +32,6 @@ void Report::finish(OutputFiles& outputs)
         std::cout << text;
     else if (!options_.quiet)
         std::cout << summary_;
-}
-
-double Stopwatch::lap()
-{
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-}
-
-std::string short_number(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
 }
 
 } // namespace morph::tools

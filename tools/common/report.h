@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <string>
 
 namespace morph::tools {
@@ -34,17 +33,5 @@ private:
     CommonOptions options_;
     std::string summary_;
 };
-
-/// Seconds since it was made or last asked.
-class Stopwatch {
-public:
-    double lap();
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// A number for a person: 4 significant digits.
-std::string short_number(double value);
 
 } // namespace morph::tools

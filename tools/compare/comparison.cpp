@@ -1,5 +1,6 @@
 #include "tools/compare/comparison.h"
 
+#include "libmorph/core/names.h"
 #include "libmorph/quality/smoothness.h"
 #include "tools/common/quality_json.h"
 #include "tools/common/report.h"
@@ -18,7 +19,7 @@ void measure_boundary(const Mesh& mesh, const PlacedBoundaries& placed, Comparis
     std::size_t nodes = 0;
     for (std::size_t b = 0; b < placed.boundaries.size(); ++b) {
         const CurveBoundary& boundary = placed.boundaries[b];
-        const Curve wanted = moved_curve(placed, b);
+        const Curve wanted = moved_curve(placed, b, placed.displacements);
         const Points2& P = boundary.curve.definition().control_points;
         const double size = (P.colwise().maxCoeff() - P.colwise().minCoeff()).norm();
         for (std::size_t i = 0; i < boundary.vertices.size(); ++i) {

@@ -2,9 +2,9 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
+#include "libmorph/core/stopwatch.h"
 #include "libmorph/deform/repair.h"
-#include "tools/common/report.h"
-#include "tools/deform/case_motion.h"
+#include "libmorph/pipeline/deformer.h"
 
 #include <Eigen/Geometry>
 
@@ -16,66 +16,60 @@ namespace {
 
 const std::string kUntangled = "+untangle";
 
-std::size_t bytes_of(const CaseMotion& motion)
-{
-    if (const Weights* dense = std::get_if<Weights>(&motion.weights))
-        return sizeof(double) * static_cast<std::size_t>(dense->values.size());
-    const auto& sparse = std::get<SparseWeights>(motion.weights).values;
-    return (sizeof(double) + sizeof(Index)) * static_cast<std::size_t>(sparse.nonZeros()) +
-           sizeof(Index) * static_cast<std::size_t>(sparse.rows() + 1);
-}
-
-/// The move of a prepared case, timed.
-void apply(const Mesh& mesh, const CaseFile& file, const CaseMotion& motion, MovedMesh& moved)
+/// The move alone, timed.
+void move_by(const Deformer& deformer, const Matrix& displacements, MovedMesh& moved)
 {
     // Of a product of weights the shortest time counts: the others wait for memory or another process.
-    const int repeats = motion.carry ? 1 : 5;
+    const int repeats = needs_nonlinear_motion(deformer.settings().deform) ? 1 : 5;
     for (int i = 0; i < repeats; ++i) {
-        moved.positions = points(mesh);
+        moved.positions = points(deformer.mesh());
         Stopwatch watch;
-        apply_motion(mesh, file, motion,
-                     Eigen::Map<Points>(moved.positions.data(), moved.positions.rows(), 3));
+        deformer.move_points(displacements, {moved.positions.data(), moved.positions.rows(), 3});
         const double seconds = watch.lap();
         moved.move_seconds = i == 0 ? seconds : std::min(moved.move_seconds, seconds);
     }
-    moved.control_variables =
-        static_cast<Index>(motion.displacements.size() -
-                           static_cast<Eigen::Index>(motion.held().size()) * motion.displacements.cols());
-    moved.weights_bytes = bytes_of(motion);
+    moved.control_variables = static_cast<Index>(
+        displacements.size() - static_cast<Eigen::Index>(deformer.held().size()) * displacements.cols());
+    moved.weights_bytes = deformer.weights_bytes();
 }
 
-/// The curves move the boundary, the method that @p choose sets carries the mesh.
-template <typename Choose>
-auto carried_by(Choose choose)
+/// The curves move the boundary, the method that @p deform chooses moves the rest of the mesh.
+auto by_method(const DeformSettings& deform)
 {
-    return [choose](const Mesh& mesh, const PlacedBoundaries&, CaseFile file) {
-        choose(file.deform);
-        file.lattice.reset();
+    return [deform](const Mesh& mesh, const PlacedBoundaries&, const CaseFile& file) {
+        MotionSettings motion = file.motion;
+        motion.lattice.reset();
+        motion.deform.method = deform.method;
+        if (deform.method == Method::harmonic) {
+            motion.deform.diffusivity = deform.diffusivity;
+            motion.deform.rotations = deform.rotations;
+        }
         Stopwatch watch;
-        const CaseMotion motion = prepare_motion(mesh, file);
+        const Deformer deformer(mesh, motion);
         MovedMesh moved;
         moved.weights_seconds = watch.lap();
-        apply(mesh, file, motion, moved);
+        move_by(deformer, deformer.displacements(), moved);
         return moved;
     };
 }
 
-auto by_method(const std::string& method)
+auto by_method(Method method)
 {
-    return carried_by([method](DeformEntry& deform) { deform.method = method; });
+    DeformSettings deform;
+    deform.method = method;
+    return by_method(deform);
 }
 
-auto by_harmonic(const std::string& diffusivity, bool rotations = false)
+auto by_harmonic(Diffusivity diffusivity, bool rotations = false)
 {
-    return carried_by([diffusivity, rotations](DeformEntry& deform) {
-        deform.method = "harmonic";
-        deform.diffusivity = diffusivity;
-        deform.rotations = rotations;
-    });
+    DeformSettings deform;
+    deform.diffusivity = diffusivity;
+    deform.rotations = rotations;
+    return by_method(deform);
 }
 
 /// A lattice around all bodies with half their size to spare, for a case that has none.
-LatticeEntry lattice_around(const PlacedBoundaries& placed)
+LatticeSettings lattice_around(const PlacedBoundaries& placed)
 {
     constexpr double kMargin = 0.5;
     Eigen::AlignedBox2d box;
@@ -83,61 +77,62 @@ LatticeEntry lattice_around(const PlacedBoundaries& placed)
         for (const auto& point : boundary.curve.definition().control_points.rowwise())
             box.extend(Eigen::Vector2d(point.transpose()));
     const double margin = kMargin * box.sizes().maxCoeff();
-    LatticeEntry entry;
-    entry.points = {12, 10, 1};
-    entry.degree = {3, 3, 0};
-    entry.corners = Matrix::Zero(2, 3);
-    entry.corners->row(0).head<2>() = (box.min().array() - margin).matrix().transpose();
-    entry.corners->row(1).head<2>() = (box.max().array() + margin).matrix().transpose();
-    entry.displacements = Matrix::Zero(entry.count(), 3);
-    entry.sparse_displacements = Matrix::Zero(0, 6);
-    return entry;
+    LatticeSettings lattice;
+    lattice.shape.dimension = 2;
+    lattice.shape.points = {12, 10, 1};
+    lattice.shape.degree = {3, 3, 0};
+    lattice.box = {{box.min().x() - margin, box.min().y() - margin, 0},
+                   {box.max().x() + margin, box.max().y() + margin, 0}};
+    return lattice;
 }
 
-/// The case with its lattice, or one around its bodies; what displacements the lattice has are the fit's to
-/// find.
-CaseFile with_lattice(CaseFile file, const PlacedBoundaries& placed, int continuity)
+/// The motion with the lattice of the case, or one around its bodies; what displacements the lattice has are the
+/// fit's to find.
+MotionSettings with_lattice(CaseFile file, const Mesh& mesh, const PlacedBoundaries& placed, int continuity)
 {
-    file.deform.method = "ffd";
-    if (!file.lattice) {
-        file.lattice = lattice_around(placed);
-        file.lattice->continuity = continuity;
+    file.motion.deform.method = Method::ffd;
+    if (file.motion.lattice) {
+        take_su2_box(file, mesh);
+    } else {
+        file.motion.lattice = lattice_around(placed);
+        file.motion.lattice->continuity = continuity;
     }
-    return file;
+    return file.motion;
 }
 
 /// One lattice holds body and mesh, fitted to the moved curves.
 MovedMesh move_ffd(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file)
 {
     constexpr int kSmooth = 1; // at the faces of the box
-    const CaseFile ffd = with_lattice(file, placed, kSmooth);
+    const MotionSettings ffd = with_lattice(file, mesh, placed, kSmooth);
     Stopwatch watch;
-    CaseMotion motion = prepare_motion(mesh, ffd);
-    control_motion(mesh, ffd, motion);
+    const Deformer deformer(mesh, ffd);
+    Matrix displacements = deformer.displacements();
+    deformer.satisfy(displacements);
     MovedMesh moved;
     moved.weights_seconds = watch.lap();
-    apply(mesh, ffd, motion, moved);
+    move_by(deformer, displacements, moved);
     return moved;
 }
 
-/// The lattice moves the boundary alone, fitted to the moved curves; another method carries the mesh.
-auto by_lattice_and(const std::string& method)
+/// The lattice moves the boundary alone, fitted to the moved curves; another method moves the rest of the mesh.
+auto by_lattice_and(Method method)
 {
     return [method](const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file) {
-        CaseFile ffd = with_lattice(file, placed, -1);
+        MotionSettings motion = with_lattice(file, mesh, placed, -1);
         Stopwatch watch;
-        CaseMotion fitted = prepare_motion(mesh, ffd);
-        control_motion(mesh, ffd, fitted);
-        ffd.deform.method = method;
-        ffd.deform.diffusivity = "inverse-distance";
-        for (const BoundaryEntry& boundary : ffd.boundaries)
-            ffd.lattice->markers.push_back(boundary.name);
-        ffd.boundaries.clear();
-        CaseMotion motion = prepare_motion(mesh, ffd);
-        motion.displacements = fitted.displacements;
+        const Deformer fitted(mesh, motion);
+        Matrix displacements = fitted.displacements();
+        fitted.satisfy(displacements);
+        motion.deform.method = method;
+        motion.deform.diffusivity = Diffusivity::inverse_distance;
+        for (const CurveMove& curve : motion.curves)
+            motion.lattice->markers.push_back(curve.marker);
+        motion.curves.clear();
+        const Deformer deformer(mesh, motion);
         MovedMesh moved;
         moved.weights_seconds = watch.lap();
-        apply(mesh, ffd, motion, moved);
+        move_by(deformer, displacements, moved);
         return moved;
     };
 }
@@ -163,22 +158,22 @@ CompareMethod untangled(const CompareMethod& method)
 const std::vector<CompareMethod>& compare_methods()
 {
     static const std::vector<CompareMethod> table{
-        {"harmonic", "Laplace's equation, as in the thesis", by_harmonic("uniform")},
+        {"harmonic", "Laplace's equation, as in the thesis", by_harmonic(Diffusivity::uniform)},
         {"harmonic-distance", "harmonic, stiff near the body: diffusivity 1/distance",
-         by_harmonic("inverse-distance")},
-        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area", by_harmonic("inverse-area")},
+         by_harmonic(Diffusivity::inverse_distance)},
+        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area", by_harmonic(Diffusivity::inverse_area)},
         {"harmonic-rotations", "harmonic (1/distance), the boundary's rotation spread too",
-         by_harmonic("inverse-distance", true)},
-        {"biharmonic", "biharmonic, conformal at the walls", by_method("biharmonic")},
-        {"elasticity", "the mesh as an elastic solid, small elements stiff", by_method("elasticity")},
-        {"spring", "springs along the edges, torsion at the corners", by_method("spring")},
-        {"rbf", "radial basis functions, Wendland C2", by_method("rbf")},
-        {"idw", "inverse distance, with rotations", by_method("idw")},
-        {"damping", "the nearest boundary's move, damped with distance", by_method("damping")},
+         by_harmonic(Diffusivity::inverse_distance, true)},
+        {"biharmonic", "biharmonic, conformal at the walls", by_method(Method::biharmonic)},
+        {"elasticity", "the mesh as an elastic solid, small elements stiff", by_method(Method::elasticity)},
+        {"spring", "springs along the edges, torsion at the corners", by_method(Method::spring)},
+        {"rbf", "radial basis functions, Wendland C2", by_method(Method::rbf)},
+        {"idw", "inverse distance, with rotations", by_method(Method::idw)},
+        {"damping", "the nearest boundary's move, damped with distance", by_method(Method::damping)},
         {"ffd", "a lattice holds body and mesh: free-form deformation as in the thesis", move_ffd},
         {"ffd-harmonic", "a lattice moves the body, harmonic weights (1/distance) the mesh",
-         by_lattice_and("harmonic")},
-        {"ffd-rbf", "a lattice moves the body, radial basis functions the mesh", by_lattice_and("rbf")},
+         by_lattice_and(Method::harmonic)},
+        {"ffd-rbf", "a lattice moves the body, radial basis functions the mesh", by_lattice_and(Method::rbf)},
     };
     return table;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "tools/deform/placement.h"
+#include "formats/case/case_file.h"
+#include "libmorph/pipeline/placement.h"
 
 #include <functional>
 #include <string>

@@ -1,5 +1,6 @@
 #include "tools/compare/page.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/report.h"
 #include "tools/picture/picture.h"
 

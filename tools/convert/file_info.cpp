@@ -1,5 +1,6 @@
 #include "tools/convert/file_info.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/report.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "tools/deform/deform_report.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/quality_json.h"
 
 #include <cmath>
@@ -33,22 +34,24 @@ std::string boundary_line(const CurveBoundary& boundary, const BoundaryFit& fit)
            short_number(fit.landing_error);
 }
 
-std::string weights_line(const DeformResult& result, std::size_t control_points)
+std::string weights_line(const Deformer& deformer, const WeightsCheck& weights, double seconds)
 {
-    const std::string method =
-        result.method == "harmonic" ? result.method + " (" + result.diffusivity + ")" : result.method;
-    return "weights: " + method + ", " + std::to_string(control_points) + " control points, from " +
-           short_number(result.weights.min) + " to " + short_number(result.weights.max) + ", " +
-           short_number(result.seconds.weights) + " s";
+    const DeformSettings& deform = deformer.settings().deform;
+    std::string method = to_string(deform.method);
+    if (deform.method == Method::harmonic)
+        method += " (" + to_string(deform.diffusivity) + ")";
+    return "weights: " + method + ", " + std::to_string(deformer.control_points().size()) +
+           " control points, from " + short_number(weights.min) + " to " + short_number(weights.max) + ", " +
+           short_number(seconds) + " s";
 }
 
-ordered_json seconds_json(const StageSeconds& seconds)
+ordered_json seconds_json(const DeformRun& run)
 {
-    return {{"read", seconds.read},
-            {"weights", seconds.weights},
-            {"apply", seconds.apply},
-            {"guard", seconds.guard},
-            {"write", seconds.write}};
+    return {{"read", run.read_seconds},
+            {"weights", run.weights_seconds},
+            {"apply", run.moved.seconds.apply},
+            {"guard", run.moved.seconds.guard},
+            {"write", run.write_seconds}};
 }
 
 void describe_pull(const PullOutcome& pull, Report& report)
@@ -74,7 +77,7 @@ void describe_lattice(const PlacedLattice& placed, Report& report)
     const LatticeDefinition& shape = placed.lattice.definition();
     const auto vertices = placed.embedding.inside.size();
     const auto inside = static_cast<std::size_t>(placed.embedding.inside_count);
-    report.json["lattice"] = {{"basis", shape.basis == LatticeBasis::bernstein ? "bernstein" : "bspline"},
+    report.json["lattice"] = {{"basis", to_string(shape.basis)},
                               {"degree", shape.degree},
                               {"points", shape.points},
                               {"held", placed.held.size()},
@@ -125,6 +128,13 @@ double rounded_down(double value)
     return std::floor(value * digits) / digits;
 }
 
+/// How much of the move is safe and what stops it; the number is rounded down.
+std::string safe_step_text(const SafeStep& safe)
+{
+    return "only " + short_number(rounded_down(safe.step)) + " of this move is safe: element " +
+           std::to_string(safe.element) + " turns over there";
+}
+
 void describe_safe_step(const SafeStep& safe, Report& report)
 {
     report.json["safe_step"] = {{"step", safe.step},
@@ -132,15 +142,15 @@ void describe_safe_step(const SafeStep& safe, Report& report)
     report.say(safe.step < 1 ? safe_step_text(safe) : "all of this move is safe");
 }
 
-void describe_repair(const DeformResult& result, Report& report)
+void describe_untangling(const MoveResult& moved, Report& report)
 {
-    const UntangleResult& repair = *result.untangled;
-    report.json["untangle"] = {{"tangled", result.tangled},
+    const UntangleResult& repair = *moved.untangled;
+    report.json["untangle"] = {{"tangled", moved.tangled},
                                {"inverted", repair.inverted.size()},
                                {"hopeless", repair.unrepairable},
                                {"patch_vertices", repair.patch_vertices},
                                {"iterations", repair.iterations}};
-    report.say("untangled: " + std::to_string(result.tangled) + " inverted elements before, " +
+    report.say("untangled: " + std::to_string(moved.tangled) + " inverted elements before, " +
                std::to_string(repair.inverted.size()) + " after, " + std::to_string(repair.patch_vertices) +
                " vertices moved in " + std::to_string(repair.iterations) + " iterations");
 }
@@ -155,65 +165,101 @@ void describe_remeshed(const RemeshedPart& part, Report& report)
                std::to_string(part.vertices_after) + " after");
 }
 
-void describe_quality(const DeformResult& result, Report& report)
+void describe_quality(const MoveResult& moved, Report& report)
 {
-    if (!result.before || !result.after)
+    if (!moved.before || !moved.after)
         return;
-    report.json["quality"] = {{"before", quality_json(*result.before)},
-                              {"after", quality_json(*result.after)}};
+    report.json["quality"] = {{"before", quality_json(*moved.before)}, {"after", quality_json(*moved.after)}};
     for (const auto& [when, quality] :
-         {std::pair("before the move", &*result.before), {"after the move", &*result.after}}) {
+         {std::pair("before the move", &*moved.before), {"after the move", &*moved.after}}) {
         report.say(std::string(when) + ":");
         for (const std::string& line : quality_summary(*quality))
             report.say("  " + line);
     }
 }
 
+void describe_checks(const MoveResult& moved, Report& report)
+{
+    report.json["boundary_crossings"] = moved.crossings;
+    if (moved.safe_step)
+        describe_safe_step(*moved.safe_step, report);
+    if (moved.untangled)
+        describe_untangling(moved, report);
+    if (moved.remeshed)
+        describe_remeshed(*moved.remeshed, report);
+    describe_quality(moved, report);
+}
+
+std::string advice(const MoveResult& moved, Guard guard)
+{
+    if (!moved.crossings.empty())
+        return "no position of the others can mend it while the boundary crosses itself";
+    if (moved.untangled && !moved.untangled->unrepairable.empty())
+        return "element " + std::to_string(moved.untangled->unrepairable[0]) +
+               " has all its vertices on the boundary, so that no position of the others can mend it" +
+               (guard == Guard::remesh ? "" : "; try guard = \"remesh\"");
+    if (moved.untangled)
+        return "try steps = \"auto\" with rotations = true, or a smaller move";
+    return "try guard = \"untangle\"";
+}
+
 } // namespace
 
-bool is_valid(const DeformResult& result)
+void describe(const DeformRun& run, const Deformer& deformer, Report& report)
 {
-    return result.crossings.empty() && !(result.after && result.after->inverted > 0);
-}
-
-std::string safe_step_text(const SafeStep& safe)
-{
-    return "only " + short_number(rounded_down(safe.step)) + " of this move is safe: element " +
-           std::to_string(safe.element) + " turns over there";
-}
-
-void describe(const DeformResult& result, const CaseMotion& motion, Report& report)
-{
-    const PlacedBoundaries& placed = motion.curves;
+    const DeformSettings& deform = deformer.settings().deform;
     ordered_json& json = report.json;
-    json["method"] = result.method;
-    json["diffusivity"] = result.diffusivity;
-    json["guard"] = result.guard;
-    json["steps"] = result.steps;
-    json["output"] = result.output;
-    json["control_points"] = motion.columns().size();
+    json["method"] = to_string(deform.method);
+    json["diffusivity"] = to_string(deform.diffusivity);
+    json["guard"] = to_string(deform.guard);
+    json["steps"] = run.moved.steps;
+    json["output"] = run.output;
+    json["control_points"] = deformer.control_points().size();
     json["boundaries"] = ordered_json::array();
-    for (std::size_t b = 0; b < result.fits.size(); ++b) { // none when only a gradient was asked for
-        json["boundaries"].push_back(boundary_json(placed.boundaries[b], result.fits[b]));
-        report.say(boundary_line(placed.boundaries[b], result.fits[b]));
+    for (std::size_t b = 0; b < run.moved.fits.size(); ++b) {
+        json["boundaries"].push_back(boundary_json(deformer.boundaries()[b], run.moved.fits[b]));
+        report.say(boundary_line(deformer.boundaries()[b], run.moved.fits[b]));
     }
-    json["weights"] = {{"min", result.weights.min},
-                       {"max", result.weights.max},
-                       {"partition_error", result.weights.partition_error}};
-    report.say(weights_line(result, motion.columns().size()));
-    if (motion.lattice)
-        describe_lattice(*motion.lattice, report);
-    describe_control(result.control, report);
-    json["boundary_crossings"] = result.crossings;
-    if (result.safe_step)
-        describe_safe_step(*result.safe_step, report);
-    if (result.untangled)
-        describe_repair(result, report);
-    if (result.remeshed)
-        describe_remeshed(*result.remeshed, report);
-    describe_quality(result, report);
-    json["seconds"] = seconds_json(result.seconds);
-    report.say("wrote " + result.output);
+    const WeightsCheck weights = deformer.weights_check();
+    json["weights"] = {
+        {"min", weights.min}, {"max", weights.max}, {"partition_error", weights.partition_error}};
+    report.say(weights_line(deformer, weights, run.weights_seconds));
+    if (const PlacedLattice* lattice = deformer.lattice())
+        describe_lattice(*lattice, report);
+    describe_control(run.moved.control, report);
+    describe_checks(run.moved, report);
+    json["seconds"] = seconds_json(run);
+    report.say("wrote " + run.output);
+}
+
+std::vector<std::string> repairs(const DeformRun& run)
+{
+    std::vector<std::string> found;
+    for (const std::string& warning : run.moved.warnings)
+        found.push_back(run.output + ": " + warning);
+    if (run.moved.remeshed)
+        found.push_back(run.output + ": " + std::to_string(run.moved.remeshed->elements) +
+                        " elements were made anew: numbers of vertices and elements differ from those of the "
+                        "mesh before the move there");
+    return found;
+}
+
+std::vector<std::string> defects(const DeformRun& run, Guard guard)
+{
+    const MoveResult& moved = run.moved;
+    std::vector<std::string> found;
+    for (const std::string& crossing : moved.crossings)
+        found.push_back(run.output + ": " + crossing + ": no valid mesh exists");
+    if (moved.before && moved.before->inverted > 0)
+        found.push_back("the mesh has " + std::to_string(moved.before->inverted) +
+                        " inverted elements before the move already");
+    if (!moved.after || moved.after->inverted == 0)
+        return found;
+    found.push_back(run.output + ": " + std::to_string(moved.after->inverted) +
+                    " of its elements are inverted; " + advice(moved, guard));
+    if (moved.safe_step && moved.safe_step->step > 0)
+        found.push_back(safe_step_text(*moved.safe_step));
+    return found;
 }
 
 } // namespace morph::tools

@@ -1,55 +1,29 @@
 #pragma once
 
-#include "libmorph/quality/quality.h"
-#include "libmorph/quality/safe_step.h"
-#include "libmorph/untangle/untangle.h"
+#include "libmorph/pipeline/deformer.h"
 #include "tools/common/report.h"
-#include "tools/deform/case_motion.h"
-#include "tools/deform/remesh_guard.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace morph::tools {
 
-/// Seconds that each stage of morph-deform took.
-struct StageSeconds {
-    double read = 0;
-    double weights = 0;
-    double apply = 0;
-    double guard = 0;
-    double write = 0;
-};
-
-/// Everything morph-deform tells about a run.
-struct DeformResult {
-    std::string method;
-    std::string diffusivity;
-    std::string guard;
+/// What morph-deform did.
+struct DeformRun {
     std::string output;
-    WeightsCheck weights;
-    std::vector<BoundaryFit> fits; ///< one per boundary
-    ControlOutcome control;
-    std::vector<std::string> crossings;  ///< of moved boundaries, see boundary_crossings()
-    std::optional<QualityReport> before; ///< without guard = "none"
-    std::optional<QualityReport> after;
-    int steps = 1;                           ///< the move took
-    Index tangled = 0;                       ///< inverted elements before the repair
-    std::optional<UntangleResult> untangled; ///< with guard = "untangle" or "remesh", when there was
-                                             ///< something to repair
-    std::optional<RemeshedPart> remeshed;    ///< with guard = "remesh", when there was something left to do
-    std::optional<SafeStep> safe_step;       ///< planar meshes, moves linear in the control points
-    StageSeconds seconds;
+    MoveResult moved; ///< with --gradient nothing moves, and it is empty
+    double read_seconds = 0;
+    double weights_seconds = 0;
+    double write_seconds = 0;
 };
 
-/// Whether the moved mesh can be used: no inverted element, no boundary across itself or another.
-bool is_valid(const DeformResult& result);
+/// Put a run into the report, as JSON and as a summary.
+void describe(const DeformRun& run, const Deformer& deformer, Report& report);
 
-/// How much of the move is safe and what stops it, for a person; the number is rounded down.
-std::string safe_step_text(const SafeStep& safe);
+/// What a user of the moved mesh should know of its repair, a sentence each.
+std::vector<std::string> repairs(const DeformRun& run);
 
-/// Put the result into the report, as JSON and as a summary.
-void describe(const DeformResult& result, const CaseMotion& motion, Report& report);
+/// What is wrong with the moved mesh and what may help, a sentence each.
+std::vector<std::string> defects(const DeformRun& run, Guard guard);
 
 } // namespace morph::tools

@@ -1,5 +1,6 @@
 #include "tools/quality/full_report.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/quality_json.h"
 #include "tools/quality/text_table.h"
 

@@ -1,5 +1,6 @@
 #include "tools/quality/text_table.h"
 
+#include "libmorph/core/names.h"
 #include "tools/common/report.h"
 
 #include <algorithm>

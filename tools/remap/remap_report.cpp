@@ -1,5 +1,7 @@
 #include "tools/remap/remap_report.h"
 
+#include "libmorph/core/names.h"
+
 namespace morph::tools {
 
 namespace {

@@ -1,39 +1,24 @@
 #pragma once
 
-#include "libmorph/deform/boundary_move.h"
-#include "libmorph/weights/coupled_extension.h"
-#include "tools/case/deform_entry.h"
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/pipeline/deform_settings.h"
 
 #include <memory>
-#include <string>
 #include <variant>
-#include <vector>
 
-namespace morph::tools {
+namespace morph {
 
 /// What carries a boundary's move into the mesh, x and y apart or together.
 using AnyExtension = std::variant<std::unique_ptr<BoundaryExtension>, std::unique_ptr<CoupledExtension>>;
 
-/// What a method is made from.
-struct ExtensionSetup {
-    const Mesh& mesh;
-    const DirichletBoundary& held;
-    const DeformEntry& deform;
-    const Matrix& values; ///< k x c: what will be spread, for methods that choose by it
-};
+/// The extension that the settings choose. A new method is one more value of Method, and one more line here and
+/// in couples_directions().
+/// @param values  k x c: what will be extended, for methods that choose by it
+/// @throws InputError, SolverError  as the extension; Method::ffd extends nothing
+AnyExtension make_extension(const Mesh& mesh, const DirichletBoundary& boundary, const DeformSettings& deform,
+                            const Matrix& values);
 
-/// A method that carries a boundary's move into the mesh.
-struct ExtensionMethod {
-    std::string name;
-    std::string what; ///< a line for people
-    AnyExtension (*make)(const ExtensionSetup& setup);
-    bool (*couples)(const DeformEntry& deform); ///< whether x and y influence each other
-};
+/// Whether x and y influence each other in that extension.
+bool couples_directions(const DeformSettings& deform);
 
-/// All of them. A new method is one more row of the table in the source, and its name in move_methods().
-const std::vector<ExtensionMethod>& extension_methods();
-
-/// The one that a case names.
-const ExtensionMethod& extension_method(const DeformEntry& deform);
-
-} // namespace morph::tools
+} // namespace morph

@@ -1,13 +1,13 @@
-#include "tools/deform/polygon_crossings.h"
+#include "libmorph/pipeline/detail/polygon_crossings.h"
 
+#include "libmorph/core/names.h"
 #include "libmorph/geometry/edge_crossing.h"
 #include "libmorph/geometry/misplaced_loop.h"
 #include "libmorph/mesh/boundary_loops.h"
-#include "tools/common/report.h"
 
 #include <algorithm>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -42,38 +42,40 @@ std::string name_of(const Mesh& mesh, const Edge& edge)
     return "the moved boundary";
 }
 
-std::vector<std::string> misplaced_loops(const Mesh& moved, const PositionsView& before)
+std::vector<std::string> misplaced_loops(const Mesh& mesh, const PositionsView& before,
+                                         const PositionsView& after)
 {
-    const auto loops = boundary_loops(moved);
-    const auto found = find_misplaced_loop(points(moved), loops);
+    const auto loops = boundary_loops(mesh);
+    const auto found = find_misplaced_loop(after, loops);
     if (!found || find_misplaced_loop(before, loops))
         return {};
     const std::vector<Index>& loop = loops[*found];
-    const std::vector<Index> first = representatives(moved.numbering);
+    const std::vector<Index> first = representatives(mesh.numbering);
     const auto [a, b] =
         std::minmax(first[static_cast<std::size_t>(loop[0])], first[static_cast<std::size_t>(loop[1])]);
-    return {name_of(moved, {a, b}) + (loop_orientation(points(moved), loop) == loop_orientation(before, loop)
-                                          ? " has left the domain or lies inside another boundary"
-                                          : " is turned inside out")};
+    return {name_of(mesh, {a, b}) + (loop_orientation(after, loop) == loop_orientation(before, loop)
+                                         ? " has left the domain or lies inside another boundary"
+                                         : " is turned inside out")};
 }
 
 } // namespace
 
-std::vector<std::string> polygon_crossings(const Mesh& moved, const PositionsView& before)
+std::vector<std::string> polygon_crossings(const Mesh& mesh, const PositionsView& before,
+                                           const PositionsView& after)
 {
-    const std::vector<Edge> edges = boundary_edges(moved);
-    const auto crossing = find_edge_crossing(points(moved), edges);
+    const std::vector<Edge> edges = boundary_edges(mesh);
+    const auto crossing = find_edge_crossing(after, edges);
     if (!crossing)
-        return misplaced_loops(moved, before);
+        return misplaced_loops(mesh, before, after);
     if (find_edge_crossing(before, edges))
         return {};
     const Edge& one = edges[static_cast<std::size_t>(crossing->edges[0])];
     const Edge& other = edges[static_cast<std::size_t>(crossing->edges[1])];
-    const std::string first = name_of(moved, one);
-    const std::string second = name_of(moved, other);
+    const std::string first = name_of(mesh, one);
+    const std::string second = name_of(mesh, other);
     return {first + " crosses " + (first == second ? "itself" : second) + " near (" +
             short_number(crossing->point.x()) + ", " + short_number(crossing->point.y()) +
             "), between its nodes"};
 }
 
-} // namespace morph::tools
+} // namespace morph

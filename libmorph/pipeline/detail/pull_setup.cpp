@@ -1,21 +1,21 @@
-#include "tools/deform/case_control.h"
+#include "libmorph/pipeline/detail/pull_setup.h"
 
 #include "libmorph/core/error.h"
 #include "libmorph/deform/pull.h"
 #include "libmorph/geometry/nearest_points.h"
 
-namespace morph::tools {
+namespace morph {
 
 std::vector<Index> named_vertices(const Mesh& mesh, const std::vector<Index>& file_numbers,
-                                  const Matrix& points, const std::string& place)
+                                  const Matrix& points, const std::string& what)
 {
     std::vector<Index> vertex_of(static_cast<std::size_t>(mesh.numbering.file_vertices));
     for (Index v = mesh.numbering.file_vertices; v-- > 0;) // of the copies of a split vertex the first
         vertex_of[static_cast<std::size_t>(mesh.numbering.vertex[static_cast<std::size_t>(v)])] = v;
     std::vector<Index> vertices;
     for (const Index number : file_numbers) {
-        if (number >= mesh.numbering.file_vertices)
-            throw InputError(place + " names vertex " + std::to_string(number) + ", but the mesh has " +
+        if (number < 0 || number >= mesh.numbering.file_vertices)
+            throw InputError(what + " names vertex " + std::to_string(number) + ", but the mesh has " +
                              std::to_string(mesh.numbering.file_vertices));
         vertices.push_back(vertex_of[static_cast<std::size_t>(number)]);
     }
@@ -30,20 +30,22 @@ std::vector<Index> named_vertices(const Mesh& mesh, const std::vector<Index>& fi
     return vertices;
 }
 
-PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightsView weights, const std::vector<Index>& held,
+PullOutcome pull(const Mesh& mesh, const std::vector<PullSettings>& pulls, const PreparedMotion& motion,
                  Matrix& displacements)
 {
     std::vector<Index> pulled_vertices;
     Matrix wanted(0, displacements.cols());
-    for (const PullEntry& entry : file.pulls) {
-        const std::string place = file.path + ":" + std::to_string(entry.line) + ": [[pull]]";
-        const std::vector<Index> vertices = named_vertices(mesh, entry.vertices, entry.points, place);
+    for (const PullSettings& entry : pulls) {
+        const std::vector<Index> vertices =
+            named_vertices(mesh, entry.vertices, entry.points, entry.where + "[[pull]]");
         pulled_vertices.insert(pulled_vertices.end(), vertices.begin(), vertices.end());
+        if (entry.displacements.cols() < wanted.cols())
+            throw InputError(entry.where + "[[pull]] displacements need z for a surface in space");
         wanted.conservativeResize(wanted.rows() + entry.displacements.rows(), Eigen::NoChange);
-        wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(displacements.cols());
+        wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(wanted.cols());
     }
-    const Pulled pulled =
-        pull_points(controlled_vertices(weights, points(mesh), pulled_vertices), wanted, displacements, held);
+    const Pulled pulled = pull_points(controlled_vertices(motion.rows(), points(mesh), pulled_vertices), wanted,
+                                      displacements, motion.held());
     displacements = pulled.displacements;
     PullOutcome outcome;
     for (const Index v : pulled_vertices)
@@ -53,4 +55,4 @@ PullOutcome pull(const Mesh& mesh, const CaseFile& file, WeightsView weights, co
     return outcome;
 }
 
-} // namespace morph::tools
+} // namespace morph
