@@ -1,7 +1,7 @@
 // morph-convert: from one mesh format to another.
 //   morph-convert wing.su2 wing.vtu
+#include "formats/binary/gzip.h"
 #include "formats/formats.h"
-#include "formats/gzip.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
 #include "tools/common/field_source.h"

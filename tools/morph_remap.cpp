@@ -2,7 +2,7 @@
 //   morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv
 #include "formats/formats.h"
 #include "formats/input_file.h"
-#include "formats/tuc_files.h"
+#include "formats/thesis/files.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/builder.h"
@@ -106,7 +106,7 @@ Mesh load_source(Options& options)
     Mesh source = build_mesh_of(std::move(data), options.source);
     if (!options.source_neighbors.empty()) {
         const InputFile file(options.source_neighbors);
-        check_tuc_neighbors({options.source_neighbors, file.bytes()}, source);
+        check_thesis_neighbors({options.source_neighbors, file.bytes()}, source);
     }
     return source;
 }

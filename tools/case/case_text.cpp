@@ -1,6 +1,6 @@
 #include "tools/case/case_text.h"
 
-#include "formats/number_text.h"
+#include "formats/text/number_text.h"
 
 #include <array>
 #include <cstdio>

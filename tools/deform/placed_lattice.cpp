@@ -1,6 +1,6 @@
 #include "tools/deform/placed_lattice.h"
 
-#include "formats/su2_ffd.h"
+#include "formats/su2/ffd.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/weights/harmonic_curves.h"
