@@ -48,49 +48,46 @@ struct Options {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("source", options.source, "Mesh with fields")->required()->type_name("SOURCE");
-    app.add_option("target", options.target, "Mesh, or list of points (.csv with columns x,y[,z])")
-        ->required()
-        ->type_name("TARGET");
-    app.add_option("-o,--output", options.output, "The target with the fields")->required()->type_name("OUT");
-    app.add_option("--fields", options.fields, "Carry only these fields (default: all)")
-        ->delimiter(',')
-        ->type_name("a,b");
-    app.add_option("--source-fields", options.source_fields,
-                   "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
-                   "thesis's function values, or a mesh file of the same mesh")
-        ->type_name("FILE");
-    app.add_option("--source-neighbors", options.source_neighbors,
-                   "The thesis's list of neighbours, to be checked against the source")
-        ->type_name("FILE.txt");
-    app.add_option(
-           "--outside", options.outside,
-           "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
-           "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
-           "project (its closest point; default for surfaces), fail (nowhere: an error)")
-        ->check(CLI::IsMember({"idw", "nearest", "project", "fail"}));
-    app.add_option("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000));
-    app.add_option("--power", options.inverse_distance.power, "Power of the distance in idw")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    app.add_option("--quads", options.quads,
-                   "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"bilinear", "split"}));
-    app.add_option(
-           "--cells", options.cells,
-           "Element fields: sample (the value at the centre of each target element), or conservative\n"
-           "(the mean over what the source covers of it, which keeps the integral)")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"sample", "conservative"}));
-    app.add_flag("--conservative", options.conservative,
-                 "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
+    line.add("source", options.source, "Mesh with fields").required().type_name("SOURCE");
+    line.add("target", options.target, "Mesh, or list of points (.csv with columns x,y[,z])")
+        .required()
+        .type_name("TARGET");
+    line.add("-o,--output", options.output, "The target with the fields").required().type_name("OUT");
+    line.add("--fields", options.fields, "Carry only these fields (default: all)")
+        .comma_separated()
+        .type_name("a,b");
+    line.add("--source-fields", options.source_fields,
+             "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
+             "thesis's function values, or a mesh file of the same mesh")
+        .type_name("FILE");
+    line.add("--source-neighbors", options.source_neighbors,
+             "The thesis's list of neighbours, to be checked against the source")
+        .type_name("FILE.txt");
+    line.add("--outside", options.outside,
+             "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
+             "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
+             "project (its closest point; default for surfaces), fail (nowhere: an error)")
+        .one_of({"idw", "nearest", "project", "fail"});
+    line.add("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
+        .show_default()
+        .range(1, 1000000);
+    line.add("--power", options.inverse_distance.power, "Power of the distance in idw")
+        .show_default()
+        .positive();
+    line.add("--quads", options.quads,
+             "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
+        .show_default()
+        .one_of({"bilinear", "split"});
+    line.add("--cells", options.cells,
+             "Element fields: sample (the value at the centre of each target element), or conservative\n"
+             "(the mean over what the source covers of it, which keeps the integral)")
+        .show_default()
+        .one_of({"sample", "conservative"});
+    line.add_flag("--conservative", options.conservative,
+                  "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
     line.add_from(options.from);
-    app.add_option("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
-        ->type_name("NAME");
+    line.add("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
+        .type_name("NAME");
     line.add_to(options.to);
 }
 
