@@ -1,4 +1,4 @@
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 #include "libmorph/remesh/local_operations.h"
 
 #include <Eigen/Geometry>

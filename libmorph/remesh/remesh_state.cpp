@@ -1,6 +1,6 @@
 #include "libmorph/remesh/remesh_state.h"
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <Eigen/Geometry>
 
