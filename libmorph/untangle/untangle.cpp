@@ -3,6 +3,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/core/predicates.h"
+#include "libmorph/quality/quality.h"
 #include "libmorph/untangle/newton.h"
 #include "libmorph/untangle/patch.h"
 #include "libmorph/untangle/reinitialize.h"
