@@ -17,7 +17,7 @@ namespace morph {
 /// bytes for any thread count.
 ///
 /// @param source     its vertices and elements are the rows of the fields
-/// @param elements  of n points in it
+/// @param elements   of n points in it
 /// @param at         n x 3: the points
 /// @param fields     of the source
 /// @return for each field n rows; 0 where no element holds the point
