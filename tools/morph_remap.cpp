@@ -164,23 +164,23 @@ void set_field(Mesh& mesh, Field field)
 }
 
 /// 0 for a target in an element, 1 for one outside.
-Field status_field(const TargetLocations& sites)
+Field status_field(const TargetLocations& targets)
 {
     Field status{kStatus, FieldLocation::vertex,
-                 Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
-    for (const Index target : sites.outside)
+                 Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
+    for (const Index target : targets.outside)
         status.values(target, 0) = 1;
     return status;
 }
 
-Field distance_field(const TargetLocations& sites)
+Field distance_field(const TargetLocations& targets)
 {
     Field distance{kDistance, FieldLocation::vertex,
-                   Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
-    for (std::size_t i = 0; i < sites.distance.size(); ++i)
-        distance.values(static_cast<Eigen::Index>(i), 0) = sites.distance[i];
-    for (std::size_t i = 0; i < sites.outside.size(); ++i)
-        distance.values(sites.outside[i], 0) = sites.outside_feet[i].distance;
+                   Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
+    for (std::size_t i = 0; i < targets.distance.size(); ++i)
+        distance.values(static_cast<Eigen::Index>(i), 0) = targets.distance[i];
+    for (std::size_t i = 0; i < targets.outside.size(); ++i)
+        distance.values(targets.outside[i], 0) = targets.outside_feet[i].distance;
     return distance;
 }
 
@@ -208,15 +208,15 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
         options.outside.empty() ? (source.dimension == 2 ? "idw" : "project") : options.outside;
     const Locator locator(source);
     Remapper remapper(locator, target, settings);
-    const TargetLocations& sites = remapper.sites(FieldLocation::vertex);
-    result.vertices = count_sites(sites, remapper.targets(FieldLocation::vertex), target.numbering.vertex);
+    const TargetLocations& targets = remapper.locations(FieldLocation::vertex);
+    result.vertices = count_targets(targets, target.numbering.vertex);
     const bool to_elements =
         element_count(target) > 0 && std::any_of(fields.begin(), fields.end(), [](const Field* field) {
             return field->location == FieldLocation::element;
         });
     if (to_elements)
-        result.elements = count_sites(remapper.sites(FieldLocation::element),
-                                      remapper.targets(FieldLocation::element), target.numbering.element);
+        result.elements =
+            count_targets(remapper.locations(FieldLocation::element), target.numbering.element);
     result.seconds.locate = watch.lap();
     std::vector<Field> carried = remapper.carry(fields);
     result.nodal_conservation = remapper.conservation(FieldLocation::vertex);
@@ -227,9 +227,9 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
                                  field_totals(target, carried[i])});
     for (Field& field : carried)
         set_field(target, std::move(field));
-    set_field(target, status_field(sites));
+    set_field(target, status_field(targets));
     if (tells_distance(source, settings))
-        set_field(target, distance_field(sites));
+        set_field(target, distance_field(targets));
 }
 
 int remap(int argc, char** argv)
