@@ -77,10 +77,11 @@ bench: bench-deps
 	@cmake --build --preset bench -j $(JOBS)
 	@sh tests/bench/run.sh
 
-lint: build
+lint: deps
+	@cmake --preset lint >/dev/null
 	@clang-format-14 --dry-run -Werror $(SOURCES)
 	@printf '%s\n' $(filter %.cpp,$(filter-out tests/fuzz/% tests/bench/% tests/install/%,$(SOURCES))) | \
-	    xargs -P $(JOBS) -n 4 clang-tidy-14 -p build --quiet
+	    xargs -P $(JOBS) -n 4 clang-tidy-14 -p build/lint --quiet
 
 install: build
 	@cmake --install build --prefix $(PREFIX)

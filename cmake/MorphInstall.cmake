@@ -17,4 +17,4 @@ configure_package_config_file(cmake/libmorphConfig.cmake.in ${PROJECT_BINARY_DIR
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/libmorphConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/libmorphConfig.cmake ${PROJECT_BINARY_DIR}/libmorphConfigVersion.cmake
-        DESTINATION ${MORPH_CMAKE_DIR})
+        cmake/MorphLibraries.cmake DESTINATION ${MORPH_CMAKE_DIR})

@@ -1,9 +1,9 @@
 #include "formats/field_file.h"
 
-#include "formats/csv_fields.h"
+#include "formats/csv/fields.h"
 #include "formats/input_file.h"
-#include "formats/number_text.h"
-#include "formats/tuc_files.h"
+#include "formats/text/number_text.h"
+#include "formats/thesis/files.h"
 #include "libmorph/core/error.h"
 
 #include <cmath>
@@ -82,8 +82,8 @@ FieldFile read_mesh_fields(const Format& format, const InputBytes& file, const M
 
 FieldFile read_file(const Format& format, const InputBytes& file, const MeshData& mesh)
 {
-    if (format.name == "tuc")
-        return {{read_tuc_values(file, mesh)}};
+    if (format.name == "thesis")
+        return {{read_thesis_values(file, mesh)}};
     return format.holds.elements ? read_mesh_fields(format, file, mesh) : read_table(file, mesh);
 }
 

@@ -71,7 +71,7 @@ struct Companion {
     std::function<std::string(const std::string&)> path = nullptr;
 };
 
-/// One file format: a row of the table by extension. Each formats/NAME.cpp defines one of these, and
+/// One file format: a row of the table by extension. Each formats/NAME/format.cpp defines one of these, and
 /// formats/CMakeLists.txt lists NAME; nothing else has to know of it.
 struct Format {
     std::string_view name;                    ///< for --from and --to
@@ -88,6 +88,8 @@ struct Format {
 
     /// The files that are written with one of this mesh; what they hold counts as held by the format.
     std::function<std::vector<Companion>(const MeshData&)> companions = nullptr;
+
+    std::string_view old_name = {}; ///< which --from and --to still understand
 };
 
 /// Every format, in the order of formats/CMakeLists.txt.

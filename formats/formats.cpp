@@ -1,6 +1,6 @@
 #include "formats/formats.h"
 
-#include "formats/gzip.h"
+#include "formats/binary/gzip.h"
 #include "formats/input_file.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
@@ -23,9 +23,10 @@ std::string lower_case(std::string text)
 
 const Format& format_by_name(const std::string& name)
 {
+    const std::string key = lower_case(name);
     std::vector<std::string> names;
     for (const Format* format : all_formats()) {
-        if (format->name == lower_case(name))
+        if (format->name == key || format->old_name == key)
             return *format;
         names.emplace_back(format->name);
     }

@@ -1,6 +1,6 @@
 #include "formats/input_file.h"
 
-#include "formats/gzip.h"
+#include "formats/binary/gzip.h"
 #include "libmorph/core/error.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // The folders are the architecture: an include may only point upwards in the list of layers.
+#include "tests/support/paths.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -83,8 +84,7 @@ bool allowed(const Layer& layer, const std::string& included)
 std::vector<std::filesystem::path> sources_below(const std::string& folder)
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::string(MORPH_SOURCE) + "/" + folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path(folder)))
         if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
             files.push_back(entry.path());
     return files;
@@ -103,7 +103,7 @@ TEST(Architecture, EveryIncludePointsUpwardsInTheListOfLayers)
 
 TEST(Architecture, EveryFolderOfTheLibraryIsALayer)
 {
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(MORPH_SOURCE) + "/libmorph")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_path("libmorph"))) {
         if (!entry.is_directory())
             continue;
         const std::string folder = "libmorph/" + entry.path().filename().string();

@@ -37,17 +37,13 @@ std::string methods_help()
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("case", options.case_file, "Case file, as for morph-deform")
-        ->required()
-        ->type_name("CASE.toml");
-    app.add_option("--methods", options.methods, methods_help())->delimiter(',')->type_name("a,b");
-    app.add_option("--moves", options.moves,
-                   "How many times the displacements of the case; several are several tables")
-        ->delimiter(',')
-        ->type_name("1,2,...");
-    app.add_option("--page", options.page, "Write tables and pictures as a page of HTML")
-        ->type_name("OUT.html");
+    line.add("case", options.case_file, "Case file, as for morph-deform").required().type_name("CASE.toml");
+    line.add("--methods", options.methods, methods_help()).comma_separated().type_name("a,b");
+    line.add("--moves", options.moves,
+             "How many times the displacements of the case; several are several tables")
+        .comma_separated()
+        .type_name("1,2,...");
+    line.add("--page", options.page, "Write tables and pictures as a page of HTML").type_name("OUT.html");
     line.add_from(options.from);
 }
 

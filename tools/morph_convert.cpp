@@ -1,10 +1,11 @@
 // morph-convert: from one mesh format to another.
 //   morph-convert wing.su2 wing.vtu
+#include "formats/binary/gzip.h"
 #include "formats/formats.h"
-#include "formats/gzip.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/stopwatch.h"
 #include "libmorph/mesh/builder.h"
+#include "tools/common/command_line.h"
 #include "tools/common/field_source.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
@@ -39,62 +40,58 @@ struct Options {
 
 void add_mode_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("files", options.files,
-                   "Mesh to read and mesh to write; with --info or --into-dir: meshes to read")
-        ->type_name("IN OUT | IN...");
+    line.add("files", options.files,
+             "Mesh to read and mesh to write; with --info or --into-dir: meshes to read")
+        .type_name("IN OUT | IN...");
     line.add_from(options.from);
     line.add_to(options.to);
-    app.add_option("--into-dir", options.into,
-                   "Convert every IN to a file of the same name in this folder, in the format --to;\n"
-                   "one that fails does not stop the others, and the exit status is then 1")
-        ->type_name("DIR");
-    app.add_option(
-           "--fields", options.fields,
-           "Take fields from a file of their own beside the mesh: an SU2 restart or other CSV file, or\n"
-           "a mesh file of the same mesh")
-        ->type_name("FILE");
-    app.add_flag("--list", options.list, "List the formats and what each can hold");
-    app.add_flag("--info", options.info, "Say what the files hold");
-    app.add_flag("--check", options.check,
-                 "Build the halfedge structure first, which refuses what is no manifold mesh, by element");
-    app.add_option("--zone", options.read.zone,
-                   "Number (from 1) or name of the zone to take (default: all, each a group of elements)")
-        ->type_name("ZONE");
-    app.add_flag("--surface", options.read.surface, "Take the boundary faces of a volume mesh");
+    line.add("--into-dir", options.into,
+             "Convert every IN to a file of the same name in this folder, in the format --to;\n"
+             "one that fails does not stop the others, and the exit status is then 1")
+        .type_name("DIR");
+    line.add("--fields", options.fields,
+             "Take fields from a file of their own beside the mesh: an SU2 restart or other CSV file, or\n"
+             "a mesh file of the same mesh")
+        .type_name("FILE");
+    line.add_flag("--list", options.list, "List the formats and what each can hold");
+    line.add_flag("--info", options.info, "Say what the files hold");
+    line.add_flag("--check", options.check,
+                  "Build the halfedge structure first, which refuses what is no manifold mesh, by element");
+    line.add("--zone", options.read.zone,
+             "Number (from 1) or name of the zone to take (default: all, each a group of elements)")
+        .type_name("ZONE");
+    line.add_flag("--surface", options.read.surface, "Take the boundary faces of a volume mesh");
 }
 
-void add_write_options(CLI::App& app, Options& options)
+void add_write_options(CommandLine& line, Options& options)
 {
-    auto* const binary =
-        app.add_flag("--binary", options.binary, "Write numbers (default where the format has them)");
-    app.add_flag("--ascii", options.ascii, "Write text, which reads back to the same numbers")
-        ->excludes(binary);
-    app.add_flag("--compress", options.compress, "Compress, where the format can");
+    const Option binary =
+        line.add_flag("--binary", options.binary, "Write numbers (default where the format has them)");
+    line.add_flag("--ascii", options.ascii, "Write text, which reads back to the same numbers")
+        .excludes(binary);
+    line.add_flag("--compress", options.compress, "Compress, where the format can");
 }
 
-void add_edit_options(CLI::App& app, Options& options)
+void add_edit_options(CommandLine& line, Options& options)
 {
-    app.add_flag("--triangulate", options.edits.triangulate, "Split quads along the shorter diagonal");
-    app.add_option("--scale", options.scale, "Multiply coordinates by a factor, or by one for each axis")
-        ->type_name("S|SX,SY,SZ");
-    app.add_option(
-           "--rotate", options.rotate,
-           "Then turn about the origin by degrees, counter-clockwise about the z axis or the named one")
-        ->type_name("DEG|AXIS:DEG");
-    app.add_option("--translate", options.translate, "Then move")->type_name("DX,DY[,DZ]");
-    app.add_option("--merge-tolerance", options.edits.merge_tolerance,
-                   "Make one vertex of those nearer to each other than this, in the units of the file")
-        ->type_name("LENGTH")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--rename-marker", options.edits.renames,
-                   "Rename a marker or group; may be given several times")
-        ->type_name("OLD=NEW")
-        ->allow_extra_args(false);
-    app.add_option("--drop-fields", options.drop_fields, "Leave out the fields of these names, or all")
-        ->type_name("[NAME,...]")
-        ->expected(0, 1)
-        ->delimiter(',');
+    line.add_flag("--triangulate", options.edits.triangulate, "Split quads along the shorter diagonal");
+    line.add("--scale", options.scale, "Multiply coordinates by a factor, or by one for each axis")
+        .type_name("S|SX,SY,SZ");
+    line.add("--rotate", options.rotate,
+             "Then turn about the origin by degrees, counter-clockwise about the z axis or the named one")
+        .type_name("DEG|AXIS:DEG");
+    line.add("--translate", options.translate, "Then move").type_name("DX,DY[,DZ]");
+    line.add("--merge-tolerance", options.edits.merge_tolerance,
+             "Make one vertex of those nearer to each other than this, in the units of the file")
+        .type_name("LENGTH")
+        .positive();
+    line.add("--rename-marker", options.edits.renames, "Rename a marker or group; may be given several times")
+        .type_name("OLD=NEW")
+        .one_value_each_time();
+    line.add("--drop-fields", options.drop_fields, "Leave out the fields of these names, or all")
+        .type_name("[NAME,...]")
+        .count(0, 1)
+        .comma_separated();
 }
 
 /// @throws UsageError  arguments that do not go together
@@ -116,12 +113,12 @@ void check_usage(const Options& options)
             throw UsageError("--rename-marker needs OLD=NEW, not '" + rename + "'");
 }
 
-void finish_edits(const CLI::App& app, Options& options)
+void finish_edits(const CommandLine& line, Options& options)
 {
     options.edits.transform = make_transform(options.scale, options.rotate, options.translate);
     std::erase(options.drop_fields, "");
     options.edits.drop_fields = options.drop_fields;
-    options.edits.drop_all_fields = app.count("--drop-fields") > 0 && options.drop_fields.empty();
+    options.edits.drop_all_fields = line.given("--drop-fields") && options.drop_fields.empty();
 }
 
 /// @throws UsageError  the format has not what was asked for
@@ -281,12 +278,12 @@ int convert(int argc, char** argv)
         "  morph-convert scans/*.stl --into-dir clean --to vtu --merge-tolerance 1e-6\n"
         "  morph-convert --info wing.cgns");
     add_mode_options(line, options);
-    add_write_options(line.app(), options);
-    add_edit_options(line.app(), options);
+    add_write_options(line, options);
+    add_edit_options(line, options);
     if (!line.parse(argc, argv))
         return kDone;
     check_usage(options);
-    finish_edits(line.app(), options);
+    finish_edits(line, options);
     Report report(line.common());
     if (options.list)
         return list_formats(report);

@@ -35,34 +35,31 @@ struct Options {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("case", options.case_file, "Case file: mesh, curves and how their control points move")
-        ->required()
-        ->type_name("CASE.toml");
-    app.add_option("-o,--output", options.output, "The moved mesh (wins over [output] mesh)")
-        ->type_name("OUT");
-    app.add_option("--method", options.method,
-                   "How control points move the mesh: " + joined(names_of<Method>()) + " (wins over [deform])")
-        ->check(CLI::IsMember(names_of<Method>()));
-    app.add_option("--diffusivity", options.diffusivity,
-                   "uniform, inverse-distance or inverse-area (wins over [deform])")
-        ->check(CLI::IsMember(names_of<Diffusivity>()));
-    app.add_option("--weights", options.weights,
-                   "Take the weights from this file instead of solving for them")
-        ->type_name("W.vtu");
-    app.add_option("--save-weights", options.save_weights,
-                   "Write the weights as nodal fields h_<boundary>_<i> on the undeformed mesh")
-        ->type_name("W.vtu");
-    app.add_option("--gradient", options.gradient,
-                   "Move nothing: turn the derivatives dJ/dX of an objective by the vertices (CSV with "
-                   "id,dx,dy) into\n"
-                   "those by the control points, which go to OUT as CSV")
-        ->type_name("dJdX.csv");
-    app.add_option("--guard", options.guard,
-                   "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
-                   "are any; untangle: repair inverted elements first; remesh: and make anew what is left\n"
-                   "inverted or flat, which changes numbers; none: do not look")
-        ->check(CLI::IsMember(names_of<Guard>()));
+    line.add("case", options.case_file, "Case file: mesh, curves and how their control points move")
+        .required()
+        .type_name("CASE.toml");
+    line.add("-o,--output", options.output, "The moved mesh (wins over [output] mesh)").type_name("OUT");
+    line.add("--method", options.method,
+             "How control points move the mesh: " + joined(names_of<Method>()) + " (wins over [deform])")
+        .one_of(names_of<Method>());
+    line.add("--diffusivity", options.diffusivity,
+             "uniform, inverse-distance or inverse-area (wins over [deform])")
+        .one_of(names_of<Diffusivity>());
+    line.add("--weights", options.weights, "Take the weights from this file instead of solving for them")
+        .type_name("W.vtu");
+    line.add("--save-weights", options.save_weights,
+             "Write the weights as nodal fields h_<boundary>_<i> on the undeformed mesh")
+        .type_name("W.vtu");
+    line.add("--gradient", options.gradient,
+             "Move nothing: turn the derivatives dJ/dX of an objective by the vertices (CSV with "
+             "id,dx,dy) into\n"
+             "those by the control points, which go to OUT as CSV")
+        .type_name("dJdX.csv");
+    line.add("--guard", options.guard,
+             "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
+             "are any; untangle: repair inverted elements first; remesh: and make anew what is left\n"
+             "inverted or flat, which changes numbers; none: do not look")
+        .one_of(names_of<Guard>());
     line.add_from(options.from);
     line.add_to(options.to);
 }

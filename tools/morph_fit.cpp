@@ -41,24 +41,20 @@ struct FittedMarker {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("mesh", options.mesh, "Planar mesh")->type_name("MESH")->required();
-    app.add_option("--marker", options.markers, "Marker that gets a curve; may be given several times")
-        ->type_name("NAME")
-        ->allow_extra_args(false)
-        ->required();
-    app.add_option("--degree", options.fit.degree, "Degree of the curves, 1 to 7")
-        ->type_name("P")
-        ->capture_default_str();
-    app.add_option("--points", options.fit.control_points,
-                   "Control points of each curve, and so weight fields")
-        ->type_name("K")
-        ->capture_default_str();
-    app.add_option("--corner-angle", options.fit.corner_angle,
-                   "Degrees; a node that turns by this much more than its neighbours is kept as a corner")
-        ->type_name("A")
-        ->capture_default_str();
-    app.add_option("-o,--output", options.output, "Case file to write")->type_name("CASE.toml")->required();
+    line.add("mesh", options.mesh, "Planar mesh").type_name("MESH").required();
+    line.add("--marker", options.markers, "Marker that gets a curve; may be given several times")
+        .type_name("NAME")
+        .one_value_each_time()
+        .required();
+    line.add("--degree", options.fit.degree, "Degree of the curves, 1 to 7").type_name("P").show_default();
+    line.add("--points", options.fit.control_points, "Control points of each curve, and so weight fields")
+        .type_name("K")
+        .show_default();
+    line.add("--corner-angle", options.fit.corner_angle,
+             "Degrees; a node that turns by this much more than its neighbours is kept as a corner")
+        .type_name("A")
+        .show_default();
+    line.add("-o,--output", options.output, "Case file to write").type_name("CASE.toml").required();
     line.add_from(options.from);
 }
 

@@ -87,14 +87,10 @@ int main(int argc, char** argv)
     return run("morph-mesh", [&] {
         CommandLine line("morph-mesh", kDescription, kExample);
         Settings settings;
-        line.app()
-            .add_option("case", settings.case_file, "Case file with [mesh] generate")
-            ->required()
-            ->type_name("CASE.toml");
-        line.app()
-            .add_option("-o,--output", settings.output, "Mesh file to write")
-            ->required()
-            ->type_name("OUT");
+        line.add("case", settings.case_file, "Case file with [mesh] generate")
+            .required()
+            .type_name("CASE.toml");
+        line.add("-o,--output", settings.output, "Mesh file to write").required().type_name("OUT");
         line.add_to(settings.to);
         if (!line.parse(argc, argv))
             return static_cast<int>(kDone);

@@ -2,6 +2,7 @@
 //   morph-quality deformed.su2 --reference naca0012.su2 --list bad.csv --picture worst.png
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
+#include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/picture/image_kind.h"
@@ -34,20 +35,18 @@ struct Options {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("mesh", options.mesh, "Mesh file")->required()->type_name("MESH");
-    app.add_option("--reference", options.reference,
-                   "The same mesh before it was moved: adds size-skew and what changed beside the walls")
-        ->type_name("UNDEFORMED");
-    app.add_option("--list", options.list, "Write the inverted elements with their metrics as CSV")
-        ->type_name("FILE.csv");
-    app.add_option("--csv", options.csv, "Write every element with its metrics as CSV")
-        ->type_name("FILE.csv");
-    app.add_option("--vtu", options.vtu, "Write the mesh with every metric as an element field")
-        ->type_name("FILE.vtu");
-    app.add_option("--picture", options.picture,
-                   "Draw the mesh by scaled Jacobian, and its worst element from near")
-        ->type_name("OUT.png|OUT.svg");
+    line.add("mesh", options.mesh, "Mesh file").required().type_name("MESH");
+    line.add("--reference", options.reference,
+             "The same mesh before it was moved: adds size-skew and what changed beside the walls")
+        .type_name("UNDEFORMED");
+    line.add("--list", options.list, "Write the inverted elements with their metrics as CSV")
+        .type_name("FILE.csv");
+    line.add("--csv", options.csv, "Write every element with its metrics as CSV").type_name("FILE.csv");
+    line.add("--vtu", options.vtu, "Write the mesh with every metric as an element field")
+        .type_name("FILE.vtu");
+    line.add("--picture", options.picture,
+             "Draw the mesh by scaled Jacobian, and its worst element from near")
+        .type_name("OUT.png|OUT.svg");
     line.add_from(options.from);
 }
 

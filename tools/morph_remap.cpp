@@ -2,7 +2,7 @@
 //   morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv
 #include "formats/formats.h"
 #include "formats/input_file.h"
-#include "formats/tuc_files.h"
+#include "formats/thesis/files.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/core/stopwatch.h"
@@ -49,49 +49,46 @@ struct Options {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("source", options.source, "Mesh with fields")->required()->type_name("SOURCE");
-    app.add_option("target", options.target, "Mesh, or list of points (.csv with columns x,y[,z])")
-        ->required()
-        ->type_name("TARGET");
-    app.add_option("-o,--output", options.output, "The target with the fields")->required()->type_name("OUT");
-    app.add_option("--fields", options.fields, "Carry only these fields (default: all)")
-        ->delimiter(',')
-        ->type_name("a,b");
-    app.add_option("--source-fields", options.source_fields,
-                   "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
-                   "thesis's function values, or a mesh file of the same mesh")
-        ->type_name("FILE");
-    app.add_option("--source-neighbors", options.source_neighbors,
-                   "The thesis's list of neighbours, to be checked against the source")
-        ->type_name("FILE.txt");
-    app.add_option(
-           "--outside", options.outside,
-           "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
-           "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
-           "project (its closest point; default for surfaces), fail (nowhere: an error)")
-        ->check(CLI::IsMember({"idw", "nearest", "project", "fail"}));
-    app.add_option("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000));
-    app.add_option("--power", options.inverse_distance.power, "Power of the distance in idw")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    app.add_option("--quads", options.quads,
-                   "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"bilinear", "split"}));
-    app.add_option(
-           "--cells", options.cells,
-           "Element fields: sample (the value at the centre of each target element), or conservative\n"
-           "(the mean over what the source covers of it, which keeps the integral)")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"sample", "conservative"}));
-    app.add_flag("--conservative", options.conservative,
-                 "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
+    line.add("source", options.source, "Mesh with fields").required().type_name("SOURCE");
+    line.add("target", options.target, "Mesh, or list of points (.csv with columns x,y[,z])")
+        .required()
+        .type_name("TARGET");
+    line.add("-o,--output", options.output, "The target with the fields").required().type_name("OUT");
+    line.add("--fields", options.fields, "Carry only these fields (default: all)")
+        .comma_separated()
+        .type_name("a,b");
+    line.add("--source-fields", options.source_fields,
+             "Fields of the source in a file of their own: an SU2 restart or other CSV file, the\n"
+             "thesis's function values, or a mesh file of the same mesh")
+        .type_name("FILE");
+    line.add("--source-neighbors", options.source_neighbors,
+             "The thesis's list of neighbours, to be checked against the source")
+        .type_name("FILE.txt");
+    line.add("--outside", options.outside,
+             "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
+             "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
+             "project (its closest point; default for surfaces), fail (nowhere: an error)")
+        .one_of({"idw", "nearest", "project", "fail"});
+    line.add("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
+        .show_default()
+        .range(1, 1000000);
+    line.add("--power", options.inverse_distance.power, "Power of the distance in idw")
+        .show_default()
+        .positive();
+    line.add("--quads", options.quads,
+             "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
+        .show_default()
+        .one_of({"bilinear", "split"});
+    line.add("--cells", options.cells,
+             "Element fields: sample (the value at the centre of each target element), or conservative\n"
+             "(the mean over what the source covers of it, which keeps the integral)")
+        .show_default()
+        .one_of({"sample", "conservative"});
+    line.add_flag("--conservative", options.conservative,
+                  "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
     line.add_from(options.from);
-    app.add_option("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
-        ->type_name("NAME");
+    line.add("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
+        .type_name("NAME");
     line.add_to(options.to);
 }
 
@@ -107,7 +104,7 @@ Mesh load_source(Options& options)
     Mesh source = build_mesh_of(std::move(data), options.source);
     if (!options.source_neighbors.empty()) {
         const InputFile file(options.source_neighbors);
-        check_tuc_neighbors({options.source_neighbors, file.bytes()}, source);
+        check_thesis_neighbors({options.source_neighbors, file.bytes()}, source);
     }
     return source;
 }
@@ -168,23 +165,23 @@ void set_field(Mesh& mesh, Field field)
 }
 
 /// 0 for a target in an element, 1 for one outside.
-Field status_field(const TargetLocations& sites)
+Field status_field(const TargetLocations& targets)
 {
     Field status{kStatus, FieldLocation::vertex,
-                 Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
-    for (const Index target : sites.outside)
+                 Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
+    for (const Index target : targets.outside)
         status.values(target, 0) = 1;
     return status;
 }
 
-Field distance_field(const TargetLocations& sites)
+Field distance_field(const TargetLocations& targets)
 {
     Field distance{kDistance, FieldLocation::vertex,
-                   Matrix::Zero(static_cast<Eigen::Index>(sites.locations.face.size()), 1)};
-    for (std::size_t i = 0; i < sites.distance.size(); ++i)
-        distance.values(static_cast<Eigen::Index>(i), 0) = sites.distance[i];
-    for (std::size_t i = 0; i < sites.outside.size(); ++i)
-        distance.values(sites.outside[i], 0) = sites.outside_feet[i].distance;
+                   Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
+    for (std::size_t i = 0; i < targets.distance.size(); ++i)
+        distance.values(static_cast<Eigen::Index>(i), 0) = targets.distance[i];
+    for (std::size_t i = 0; i < targets.outside.size(); ++i)
+        distance.values(targets.outside[i], 0) = targets.outside_feet[i].distance;
     return distance;
 }
 
@@ -212,15 +209,15 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
         options.outside.empty() ? (source.dimension == 2 ? "idw" : "project") : options.outside;
     const Locator locator(source);
     Remapper remapper(locator, target, settings);
-    const TargetLocations& sites = remapper.sites(FieldLocation::vertex);
-    result.vertices = count_sites(sites, remapper.targets(FieldLocation::vertex), target.numbering.vertex);
+    const TargetLocations& targets = remapper.locations(FieldLocation::vertex);
+    result.vertices = count_targets(targets, target.numbering.vertex);
     const bool to_elements =
         element_count(target) > 0 && std::any_of(fields.begin(), fields.end(), [](const Field* field) {
             return field->location == FieldLocation::element;
         });
     if (to_elements)
-        result.elements = count_sites(remapper.sites(FieldLocation::element),
-                                      remapper.targets(FieldLocation::element), target.numbering.element);
+        result.elements =
+            count_targets(remapper.locations(FieldLocation::element), target.numbering.element);
     result.seconds.locate = watch.lap();
     std::vector<Field> carried = remapper.carry(fields);
     result.nodal_conservation = remapper.conservation(FieldLocation::vertex);
@@ -231,9 +228,9 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
                                  field_totals(target, carried[i])});
     for (Field& field : carried)
         set_field(target, std::move(field));
-    set_field(target, status_field(sites));
+    set_field(target, status_field(targets));
     if (tells_distance(source, settings))
-        set_field(target, distance_field(sites));
+        set_field(target, distance_field(targets));
 }
 
 int remap(int argc, char** argv)

@@ -10,6 +10,7 @@
 #include "libmorph/remesh/group_regions.h"
 #include "libmorph/remesh/remesh.h"
 #include "libmorph/remesh/transferred_fields.h"
+#include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/remesh/cut_out_inverted.h"
@@ -43,44 +44,41 @@ struct Options {
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("input", options.input, "Planar mesh or surface; its quads are kept as they are")
-        ->required()
-        ->type_name("IN");
-    app.add_option("-o,--output", options.output, "The new mesh")->required()->type_name("OUT");
-    add_size_options(app, options.sizes);
-    app.add_option("--iterations", options.iterations, "Rounds of splitting, collapsing and relaxing")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100));
-    CLI::Option* only_bad =
-        app.add_option(
-               "--only-bad", options.only_bad,
-               "Touch only triangles of less than this quality (4 sqrt(3) area / sum of squared sides)\n"
-               "and two rings around them; the others keep their numbers")
-            ->check(CLI::Range(0.0, 1.0))
-            ->type_name("Q");
-    add_keep_option(app, options.keep);
-    app.add_option("--hausdorff", options.hausdorff,
-                   "Largest distance from IN (planar: of the boundaries); edges become as short as that asks")
-        ->check(CLI::PositiveNumber)
-        ->excludes("--vertices")
-        ->type_name("D");
-    app.add_option(
-           "--crease", options.crease,
-           "Degrees between two triangles of a surface from which on the edge between them stays one;\n"
-           "edges of markers and borders of groups always do")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 180.0))
-        ->type_name("DEG");
-    app.add_option("--case", options.case_file,
-                   "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
-                   "the smooth curve through the nodes of each marker, corners kept)")
-        ->type_name("CASE.toml");
-    app.add_flag("--fresh", options.fresh,
-                 "Mesh a planar domain anew: of the nodes of IN only those of the boundary, of markers and\n"
-                 "of borders between groups are started from")
-        ->excludes(only_bad);
-    app.add_flag("--no-fields", options.no_fields, "Leave the fields of IN behind");
+    line.add("input", options.input, "Planar mesh or surface; its quads are kept as they are")
+        .required()
+        .type_name("IN");
+    line.add("-o,--output", options.output, "The new mesh").required().type_name("OUT");
+    add_size_options(line, options.sizes);
+    line.add("--iterations", options.iterations, "Rounds of splitting, collapsing and relaxing")
+        .show_default()
+        .range(1, 100);
+    const Option only_bad =
+        line.add("--only-bad", options.only_bad,
+                 "Touch only triangles of less than this quality (4 sqrt(3) area / sum of squared sides)\n"
+                 "and two rings around them; the others keep their numbers")
+            .range(0.0, 1.0)
+            .type_name("Q");
+    add_keep_option(line, options.keep);
+    line.add("--hausdorff", options.hausdorff,
+             "Largest distance from IN (planar: of the boundaries); edges become as short as that asks")
+        .positive()
+        .excludes("--vertices")
+        .type_name("D");
+    line.add("--crease", options.crease,
+             "Degrees between two triangles of a surface from which on the edge between them stays one;\n"
+             "edges of markers and borders of groups always do")
+        .show_default()
+        .range(0.0, 180.0)
+        .type_name("DEG");
+    line.add("--case", options.case_file,
+             "Case file whose [[boundary]] curves the nodes of these markers are put on (default:\n"
+             "the smooth curve through the nodes of each marker, corners kept)")
+        .type_name("CASE.toml");
+    line.add_flag("--fresh", options.fresh,
+                  "Mesh a planar domain anew: of the nodes of IN only those of the boundary, of markers and\n"
+                  "of borders between groups are started from")
+        .excludes(only_bad);
+    line.add_flag("--no-fields", options.no_fields, "Leave the fields of IN behind");
     line.add_from(options.from);
     line.add_to(options.to);
 }

@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/quality/quality.h"
+#include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/picture/image_kind.h"
@@ -103,23 +104,21 @@ void describe(Report& report, const Options& options, const std::vector<Mesh>& m
 
 void add_options(CommandLine& line, Options& options)
 {
-    CLI::App& app = line.app();
-    app.add_option("meshes", options.meshes, "Mesh file; a second one is drawn beside it in the same view")
-        ->required()
-        ->expected(1, 2)
-        ->type_name("MESH [MESH2]");
-    app.add_option("-o,--out", options.out, "Picture to write")->required()->type_name("OUT.png|OUT.svg");
-    app.add_option("--field", options.picture.field,
-                   "Colour the elements by this field, or by scaled_jacobian")
-        ->type_name("NAME");
-    app.add_option("--zoom", options.zoom, "Show this part (default: the bodies, and the domain as an inset)")
-        ->type_name("xmin,ymin,xmax,ymax");
-    app.add_option("--width", options.picture.width, "Width in pixels (PNG) or points (SVG)")
-        ->type_name("PX")
-        ->check(CLI::Range(picture::kNarrowest, picture::kWidest));
-    app.add_flag("--edges,!--no-edges", options.picture.edges,
-                 "Draw the edges of the elements (default), or do not");
-    app.add_option("--title", options.picture.title, "Write this above the picture")->type_name("TEXT");
+    line.add("meshes", options.meshes, "Mesh file; a second one is drawn beside it in the same view")
+        .required()
+        .count(1, 2)
+        .type_name("MESH [MESH2]");
+    line.add("-o,--out", options.out, "Picture to write").required().type_name("OUT.png|OUT.svg");
+    line.add("--field", options.picture.field, "Colour the elements by this field, or by scaled_jacobian")
+        .type_name("NAME");
+    line.add("--zoom", options.zoom, "Show this part (default: the bodies, and the domain as an inset)")
+        .type_name("xmin,ymin,xmax,ymax");
+    line.add("--width", options.picture.width, "Width in pixels (PNG) or points (SVG)")
+        .type_name("PX")
+        .range(picture::kNarrowest, picture::kWidest);
+    line.add_flag("--edges,!--no-edges", options.picture.edges,
+                  "Draw the edges of the elements (default), or do not");
+    line.add("--title", options.picture.title, "Write this above the picture").type_name("TEXT");
     line.add_from(options.from);
 }
 

@@ -3,7 +3,7 @@
 #include "formats/case/entries.h"
 #include "formats/formats.h"
 #include "formats/input_file.h"
-#include "formats/su2_ffd.h"
+#include "formats/su2/ffd.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
 

@@ -1,6 +1,6 @@
 #include "formats/case/case_text.h"
 
-#include "formats/number_text.h"
+#include "formats/text/number_text.h"
 #include "libmorph/pipeline/deform_settings.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "formats/case/toml_table.h"
 
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 

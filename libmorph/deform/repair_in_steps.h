@@ -1,6 +1,5 @@
 #pragma once
 
-#include "libmorph/quality/quality.h"
 #include "libmorph/untangle/untangle.h"
 #include "libmorph/weights/boundary_extension.h"
 

@@ -1,7 +1,7 @@
 #include "libmorph/geometry/curve_crossing.h"
 
+#include "libmorph/core/predicates.h"
 #include "libmorph/geometry/curve_arc.h"
-#include "libmorph/geometry/predicates.h"
 
 #include <algorithm>
 #include <array>

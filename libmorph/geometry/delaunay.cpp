@@ -1,7 +1,7 @@
 #include "libmorph/geometry/delaunay.h"
 
 #include "libmorph/core/parallel.h"
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <algorithm>
 

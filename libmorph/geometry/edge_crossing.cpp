@@ -1,6 +1,6 @@
 #include "libmorph/geometry/edge_crossing.h"
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/box_intersection_d.h>

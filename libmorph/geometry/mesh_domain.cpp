@@ -81,7 +81,7 @@ SizeField size_field(const std::vector<OutlineLoop>& loops, const DomainSpec& sp
             samples.push_back({loop.nodes[i].point, std::sqrt(before * after)});
         }
     }
-    return {std::move(samples), spec.growth, spec.size};
+    return {samples, spec.growth, spec.size};
 }
 
 /// Nodes on one side of the box whose distances follow the size field: between two neighbours the

@@ -1,11 +1,10 @@
 #include "libmorph/geometry/mesh_parts.h"
 
 #include "libmorph/geometry/closest_on_triangle.h"
+#include "libmorph/mesh/boundary_loops.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace morph {
@@ -16,7 +15,10 @@ MeshParts::MeshParts(const Mesh& mesh) : points_(points(mesh)), planar_(mesh.dim
         add_segments(mesh);
     else
         add_triangles(mesh);
-    build_boxes();
+    std::vector<BoxTree::Box> boxes(parts_.size());
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        boxes[part] = box_of(part);
+    tree_ = BoxTree(boxes, 1, 0);
 }
 
 void MeshParts::add_segments(const Mesh& mesh)
@@ -24,9 +26,8 @@ void MeshParts::add_segments(const Mesh& mesh)
     for (const Marker& marker : mesh.markers)
         for (const auto& [a, b] : marker.edges)
             parts_.push_back({a, b, b});
-    for (const auto edge : mesh.kernel.edges())
-        if (edge.is_boundary())
-            parts_.push_back({edge.v0().idx(), edge.v1().idx(), edge.v1().idx()});
+    for (const auto& [a, b] : boundary_edges(mesh))
+        parts_.push_back({a, b, b});
 }
 
 void MeshParts::add_triangles(const Mesh& mesh)
@@ -38,15 +39,12 @@ void MeshParts::add_triangles(const Mesh& mesh)
     }
 }
 
-void MeshParts::build_boxes()
+BoxTree::Box MeshParts::box_of(std::size_t part) const
 {
-    const std::size_t leaves = std::bit_ceil(parts_.size());
-    boxes_.resize(2 * leaves);
-    for (std::size_t part = 0; part < parts_.size(); ++part)
-        for (std::size_t k = 0; k < 3; ++k)
-            boxes_[leaves + part].extend(corner(part, k));
-    for (std::size_t box = leaves - 1; box > 0; --box)
-        boxes_[box] = boxes_[2 * box].merged(boxes_[2 * box + 1]);
+    BoxTree::Box box;
+    for (std::size_t k = 0; k < 3; ++k)
+        box.extend(corner(part, k));
+    return box;
 }
 
 Eigen::Vector3d MeshParts::corner(std::size_t part, std::size_t k) const
@@ -74,29 +72,11 @@ double MeshParts::distance(std::size_t part, const Eigen::Vector3d& p) const
 
 MeshParts::Nearest MeshParts::nearest(const Eigen::Vector3d& p, std::size_t hint) const
 {
-    double best2 = distance2(hint, p);
-    improve(1, p, hint, best2);
-    return {hint, std::sqrt(best2)};
-}
-
-void MeshParts::improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& best, double& best2) const
-{
-    const std::size_t leaves = boxes_.size() / 2;
-    if (box >= leaves) {
-        if (const double d2 = distance2(box - leaves, p); d2 < best2) {
-            best = box - leaves;
-            best2 = d2;
-        }
-        return;
-    }
-    // An empty box is infinitely far.
-    std::array<std::size_t, 2> half{2 * box, 2 * box + 1};
-    std::array<double, 2> away{boxes_[half[0]].squaredExteriorDistance(p),
-                               boxes_[half[1]].squaredExteriorDistance(p)};
-    const std::size_t nearer = away[1] < away[0] ? 1 : 0;
-    for (const std::size_t side : {nearer, 1 - nearer})
-        if (away[side] < best2)
-            improve(half[side], p, best, best2);
+    const auto to_box2 = [&](const BoxTree::Box& box) { return box.squaredExteriorDistance(p); };
+    const auto to_part2 = [&](Index part) { return distance2(static_cast<std::size_t>(part), p); };
+    const auto start = static_cast<Index>(hint);
+    const BoxTree::Candidate best = tree_.least(to_box2, to_part2, {start, to_part2(start)});
+    return {static_cast<std::size_t>(best.rank), std::sqrt(best.value)};
 }
 
 Eigen::Vector3d MeshParts::normal(std::size_t part) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/geometry/box_tree.h"
 #include "libmorph/geometry/convex_piece.h"
 #include "libmorph/mesh/mesh.h"
 
@@ -49,9 +50,8 @@ public:
 private:
     void add_segments(const Mesh& mesh);
     void add_triangles(const Mesh& mesh);
-    void build_boxes();
     double distance2(std::size_t part, const Eigen::Vector3d& p) const;
-    void improve(std::size_t box, const Eigen::Vector3d& p, std::size_t& best, double& best2) const;
+    BoxTree::Box box_of(std::size_t part) const;
     /// Unit normal of a part on the side of a point, zero where it has no size.
     Eigen::Vector3d normal_towards(std::size_t part, const Eigen::Vector3d& p) const;
     Eigen::Vector3d corner(std::size_t part, std::size_t k) const;
@@ -59,8 +59,7 @@ private:
     Eigen::Map<const Points> points_;
     bool planar_;
     std::vector<std::array<Index, 3>> parts_; ///< rows of points_; of a segment the last twice
-    /// Box i holds boxes 2 i and 2 i + 1, the last half of them a part each; 0 is none.
-    std::vector<Eigen::AlignedBox3d> boxes_;
+    BoxTree tree_;
 };
 
 } // namespace morph

@@ -1,6 +1,6 @@
 #include "libmorph/geometry/misplaced_loop.h"
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <algorithm>
 

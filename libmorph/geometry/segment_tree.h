@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/core/types.h"
+#include "libmorph/geometry/box_tree.h"
 
 #include <Eigen/Core>
 
@@ -32,22 +33,13 @@ public:
 private:
     struct Segment {
         Eigen::Vector3d a, b;
-        Index number;
-    };
-    /// Box of segments [begin, end); a branch has its children at left and left + 1.
-    struct Node {
-        Eigen::Vector3d low, high;
-        Index begin, end;
-        Index left;
     };
 
-    void build(std::size_t node, Index begin, Index end);
     static double distance2(const Segment& s, const Eigen::Vector3d& p);
-    static double distance2(const Node& n, const Eigen::Vector3d& p);
 
-    std::vector<Segment> segments_;
-    std::vector<Index> place_; ///< of segment number i in segments_
-    std::vector<Node> nodes_;
+    std::vector<Segment> segments_; ///< in the order of the tree
+    std::vector<Index> rank_;       ///< of segment number i in it
+    BoxTree tree_;
 };
 
 } // namespace morph

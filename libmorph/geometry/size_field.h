@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/core/types.h"
+#include "libmorph/geometry/box_tree.h"
 
 #include <Eigen/Core>
 
@@ -20,26 +20,14 @@ struct SizeSample {
 /// neighbouring edges differ little [Persson 2006, Mesh size functions for implicit geometries].
 class SizeField {
 public:
-    SizeField(std::vector<SizeSample> samples, double growth, double largest);
+    SizeField(const std::vector<SizeSample>& samples, double growth, double largest);
 
     /// Cost: logarithmic in the number of samples, none far from them.
     double operator()(const Eigen::Vector2d& x) const;
 
 private:
-    /// A range of samples with its bounding box; the children of node k are 2k + 1 and 2k + 2.
-    struct Node {
-        Eigen::Vector2d low, high;
-        double smallest = 0;
-        Index begin = 0, end = 0;
-        bool leaf = true;
-    };
-
-    void build(std::size_t node, Index begin, Index end);
-    double lower_bound(std::size_t node, const Eigen::Vector2d& x) const;
-    void search(std::size_t node, const Eigen::Vector2d& x, double& best) const;
-
-    std::vector<SizeSample> samples_;
-    std::vector<Node> nodes_;
+    std::vector<SizeSample> samples_; ///< in the order of the tree
+    BoxTree tree_;                    ///< of (x, y, size): the least z of a box is the smallest size in it
     double growth_;
     double largest_;
 };

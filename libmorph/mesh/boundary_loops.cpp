@@ -4,6 +4,15 @@
 
 namespace morph {
 
+std::vector<std::array<Index, 2>> boundary_edges(const Mesh& mesh)
+{
+    std::vector<std::array<Index, 2>> edges;
+    for (const auto edge : mesh.kernel.edges())
+        if (edge.is_boundary())
+            edges.push_back({edge.v0().idx(), edge.v1().idx()});
+    return edges;
+}
+
 std::vector<std::vector<Index>> boundary_loops(const Mesh& mesh)
 {
     const Kernel& kernel = mesh.kernel;

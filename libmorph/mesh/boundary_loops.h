@@ -2,9 +2,14 @@
 
 #include "libmorph/mesh/mesh.h"
 
+#include <array>
 #include <vector>
 
 namespace morph {
+
+/// The two vertices of each edge with an element on one side only, in the order of the kernel's edges. A split
+/// vertex is there by its copies.
+std::vector<std::array<Index, 2>> boundary_edges(const Mesh& mesh);
 
 /// The vertices of each closed polygon of a mesh's boundary in order, the mesh on its left. Where fans of
 /// elements meet in a split vertex the polygons pass through its copies.

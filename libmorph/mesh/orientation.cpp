@@ -2,13 +2,10 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-
-#include <CGAL/MP_Float.h>
+#include "libmorph/core/predicates.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <span>
 
 namespace morph {
@@ -17,32 +14,6 @@ namespace {
 
 constexpr std::size_t kRowsPerBlock = 65536;
 constexpr Index kNone = -1;
-
-/// (b - a) x (d - c) without rounding.
-int exact_cross_sign(const double* a, const double* b, const double* c, const double* d)
-{
-    using Exact = CGAL::MP_Float;
-    const auto difference = [](double to, double from) { return Exact(to) - Exact(from); };
-    const Exact left = difference(b[0], a[0]) * difference(d[1], c[1]);
-    const Exact right = difference(b[1], a[1]) * difference(d[0], c[0]);
-    return static_cast<int>(CGAL::sign(left - right));
-}
-
-/// The sign of (b - a) x (d - c), in floating point where that is certain.
-int cross_sign(const double* a, const double* b, const double* c, const double* d)
-{
-    // Two differences, a product, a subtraction: less than four units of rounding in each term. The
-    // sum is below the smallest normal number only where products may underflow.
-    constexpr double kBound = 4 * std::numeric_limits<double>::epsilon();
-    const double left = (b[0] - a[0]) * (d[1] - c[1]);
-    const double right = (b[1] - a[1]) * (d[0] - c[0]);
-    const double size = std::abs(left) + std::abs(right);
-    const double cross = left - right;
-    if (std::abs(cross) > kBound * size && std::abs(cross) > std::numeric_limits<double>::min() &&
-        size < std::numeric_limits<double>::infinity())
-        return cross > 0 ? 1 : -1;
-    return exact_cross_sign(a, b, c, d);
-}
 
 /// The elements of one part after another, and which of them are listed the other way round than the
 /// first element of their part.
@@ -191,7 +162,9 @@ Element turned(const Element& element)
 
 int area_sign(const Element& element, Eigen::Map<const Points> points)
 {
-    const auto corner = [&](std::size_t k) { return points.data() + 3 * std::ptrdiff_t{element[k]}; };
+    const auto corner = [&](std::size_t k) {
+        return PlanePoint{points(element[k], 0), points(element[k], 1)};
+    };
     return cross_sign(corner(0), corner(2), corner(1), corner(corner_count(element) == 4 ? 3 : 0));
 }
 

@@ -1,6 +1,6 @@
 #include "libmorph/quality/metrics.h"
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 #include "libmorph/geometry/surface_predicates.h"
 
 #include <Eigen/Geometry>

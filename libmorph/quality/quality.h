@@ -9,9 +9,6 @@
 
 namespace morph {
 
-/// Positions of the vertices of a mesh, n x 3: the mesh's own, or where they are to go.
-using PositionsView = Eigen::Ref<const Points>;
-
 /// The metrics of one element; metrics.h says what each is.
 struct ElementQuality {
     bool inverted = false;

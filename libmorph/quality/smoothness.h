@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/quality/quality.h"
+#include "libmorph/mesh/mesh.h"
 
 namespace morph {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <array>
 

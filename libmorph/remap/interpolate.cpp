@@ -14,11 +14,11 @@ constexpr std::size_t kAhead = 8; // targets: long enough for memory to answer
 
 /// Targets follow a curve in space, so that they lie anywhere in memory. Always inline, because GCC takes a
 /// function that only prefetches for one without effect and drops the call.
-[[gnu::always_inline]] inline void prefetch_target(Index target, const Locations& locations,
+[[gnu::always_inline]] inline void prefetch_target(Index target, const ContainingElements& elements,
                                                    const Eigen::Ref<const Points>& at,
                                                    const std::vector<Matrix>& results)
 {
-    __builtin_prefetch(&locations.face[static_cast<std::size_t>(target)]);
+    __builtin_prefetch(&elements.face[static_cast<std::size_t>(target)]);
     __builtin_prefetch(at.row(target).data());
     for (const Matrix& result : results)
         __builtin_prefetch(result.row(target).data(), 1);
@@ -64,19 +64,19 @@ double value_at(const Stencil& stencil, const Matrix& values, Eigen::Index colum
 
 } // namespace
 
-std::vector<Matrix> interpolate(const Mesh& source, const Locations& locations,
+std::vector<Matrix> interpolate(const Mesh& source, const ContainingElements& elements,
                                 const Eigen::Ref<const Points>& at, std::span<const Field* const> fields,
                                 QuadRule rule)
 {
     std::vector<Matrix> results;
     for (const Field* field : fields)
         results.emplace_back(Matrix::Zero(at.rows(), field->values.cols()));
-    parallel_for(locations.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+    parallel_for(elements.order.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kAhead < end)
-                prefetch_target(locations.order[i + kAhead], locations, at, results);
-            const Index target = locations.order[i];
-            const Index face = locations.face[static_cast<std::size_t>(target)];
+                prefetch_target(elements.order[i + kAhead], elements, at, results);
+            const Index target = elements.order[i];
+            const Index face = elements.face[static_cast<std::size_t>(target)];
             if (face < 0)
                 continue;
             const Stencil stencil = stencil_at(source, face, at.row(target).transpose(), rule);

@@ -17,11 +17,11 @@ namespace morph {
 /// bytes for any thread count.
 ///
 /// @param source     its vertices and elements are the rows of the fields
-/// @param locations  of n points in it
+/// @param elements   of n points in it
 /// @param at         n x 3: the points
 /// @param fields     of the source
 /// @return for each field n rows; 0 where no element holds the point
-std::vector<Matrix> interpolate(const Mesh& source, const Locations& locations,
+std::vector<Matrix> interpolate(const Mesh& source, const ContainingElements& elements,
                                 const Eigen::Ref<const Points>& at, std::span<const Field* const> fields,
                                 QuadRule rule);
 

@@ -164,10 +164,10 @@ const ElementTree& Locator::tree() const
     return *tree_;
 }
 
-Locations Locator::locate(const Eigen::Ref<const Points>& targets) const
+ContainingElements Locator::locate(const Eigen::Ref<const Points>& targets) const
 {
     require_in_plane(targets);
-    Locations found;
+    ContainingElements found;
     found.face.assign(static_cast<std::size_t>(targets.rows()), -1);
     found.order = hilbert_order(targets, 2);
     if (samples_.empty())

@@ -9,8 +9,8 @@
 
 namespace morph {
 
-/// Where targets lie in a source mesh.
-struct Locations {
+/// The elements of a source mesh that hold points, the targets.
+struct ContainingElements {
     std::vector<Index> face;  ///< the element that holds target i; -1: none does
     std::vector<Index> order; ///< the targets along a space-filling curve: visited so, one finds in memory
                               ///  what the one before has fetched
@@ -42,7 +42,7 @@ public:
     /// Equal results for any thread count.
     /// @param targets  n x 3, z = 0
     /// @throws InputError  a coordinate of a target is not finite, or z is not 0; names the target from 0
-    Locations locate(const Eigen::Ref<const Points>& targets) const;
+    ContainingElements locate(const Eigen::Ref<const Points>& targets) const;
 
     /// The tree behind the walks, built when it is first asked for; from any thread.
     const ElementTree& tree() const;

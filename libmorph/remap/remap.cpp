@@ -80,12 +80,12 @@ void scatter(const std::vector<Index>& targets, const Matrix& from, Matrix& to)
 }
 
 /// The values at the closest points of the source.
-std::vector<Matrix> values_at_feet(const Mesh& source, const TargetLocations& sites,
+std::vector<Matrix> values_at_feet(const Mesh& source, const TargetLocations& targets,
                                    std::span<const Field* const> fields, QuadRule rule)
 {
-    Locations feet;
-    Points at(static_cast<Eigen::Index>(sites.outside.size()), 3);
-    for (const ElementTree::Closest& foot : sites.outside_feet) {
+    ContainingElements feet;
+    Points at(static_cast<Eigen::Index>(targets.outside.size()), 3);
+    for (const ElementTree::Closest& foot : targets.outside_feet) {
         at.row(static_cast<Eigen::Index>(feet.face.size())) = foot.point.transpose();
         feet.face.push_back(foot.face);
     }
@@ -125,25 +125,13 @@ Remapper::Remapper(const Locator& source, const Mesh& target, const RemapSetting
         throw InputError("the source is planar, but the target lies in space: some of its z are not 0");
 }
 
-const Remapper::Targets& Remapper::located(FieldLocation location)
+const TargetLocations& Remapper::locations(FieldLocation location)
 {
-    std::optional<Targets>& targets = location == FieldLocation::vertex ? vertices_ : centres_;
-    if (!targets) {
-        Points at = location == FieldLocation::vertex ? Points(points(target_)) : centres_of(target_);
-        TargetLocations found = locate_targets(source_, at);
-        targets.emplace(Targets{std::move(at), std::move(found)});
-    }
-    return *targets;
-}
-
-const TargetLocations& Remapper::sites(FieldLocation location)
-{
-    return located(location).sites;
-}
-
-const Points& Remapper::targets(FieldLocation location)
-{
-    return located(location).points;
+    const bool nodal = location == FieldLocation::vertex;
+    std::optional<TargetLocations>& found = nodal ? vertices_ : centres_;
+    if (!found)
+        found = locate_targets(source_, nodal ? Points(points(target_)) : centres_of(target_));
+    return *found;
 }
 
 FieldLocation Remapper::place_of(const Field& field) const
@@ -205,53 +193,53 @@ std::vector<Matrix> Remapper::values_at(FieldLocation location, std::span<const 
 
 std::vector<Matrix> Remapper::interpolated(FieldLocation location, std::span<const Field* const> fields)
 {
-    const Targets& targets = located(location);
+    const TargetLocations& targets = locations(location);
     const Mesh& source = source_.source();
-    const Points& at = source.dimension == 2 ? targets.points : targets.sites.feet;
-    if (targets.sites.outside.size() == static_cast<std::size_t>(at.rows()))
+    const Points& at = source.dimension == 2 ? targets.points : targets.feet;
+    if (targets.outside.size() == static_cast<std::size_t>(at.rows()))
         throw InputError("none of the " + std::to_string(at.rows()) +
                          (location == FieldLocation::vertex ? " targets" : " element centres of the target") +
                          " lies in the source: they span " + extent(targets.points) + ", the source " +
                          extent(points(source)));
-    std::vector<Matrix> values = interpolate(source, targets.sites.locations, at, fields, settings_.quads);
-    if (!targets.sites.outside.empty())
+    std::vector<Matrix> values = interpolate(source, targets.elements, at, fields, settings_.quads);
+    if (!targets.outside.empty())
         fill_outside(targets, fields, values);
     return values;
 }
 
-void Remapper::fill_outside(const Targets& targets, std::span<const Field* const> fields,
+void Remapper::fill_outside(const TargetLocations& targets, std::span<const Field* const> fields,
                             std::vector<Matrix>& values)
 {
-    const TargetLocations& sites = targets.sites;
     if (outside() == Outside::fail) {
         const auto farthest =
-            std::max_element(sites.outside_feet.begin(), sites.outside_feet.end(),
+            std::max_element(targets.outside_feet.begin(), targets.outside_feet.end(),
                              [](const auto& a, const auto& b) { return a.distance < b.distance; });
-        const Index target = sites.outside[static_cast<std::size_t>(farthest - sites.outside_feet.begin())];
-        throw InputError(std::to_string(sites.outside.size()) + " of " +
+        const Index target =
+            targets.outside[static_cast<std::size_t>(farthest - targets.outside_feet.begin())];
+        throw InputError(std::to_string(targets.outside.size()) + " of " +
                          std::to_string(targets.points.rows()) +
                          " targets lie outside the source, the farthest at " + place(targets.points, target) +
                          " by " + number(farthest->distance));
     }
     if (outside() == Outside::idw) {
         std::vector<Index> inside;
-        for (std::size_t i = 0; i < sites.locations.face.size(); ++i)
-            if (sites.locations.face[i] >= 0)
+        for (std::size_t i = 0; i < targets.elements.face.size(); ++i)
+            if (targets.elements.face[i] >= 0)
                 inside.push_back(static_cast<Index>(i));
-        fill_by_inverse_distance(targets.points, inside, sites.outside, settings_.inverse_distance, values);
+        fill_by_inverse_distance(targets.points, inside, targets.outside, settings_.inverse_distance, values);
         return;
     }
     const Mesh& source = source_.source();
     // Element fields are constant around the closest point, so that projecting them takes the nearest
     // element.
-    const std::vector<Matrix> feet = values_at_feet(source, sites, fields, settings_.quads);
+    const std::vector<Matrix> feet = values_at_feet(source, targets, fields, settings_.quads);
     std::vector<Matrix> nearest;
     if (outside() == Outside::nearest)
-        nearest = values_of_nearest(source, targets.points, sites.outside, fields);
+        nearest = values_of_nearest(source, targets.points, targets.outside, fields);
     for (std::size_t f = 0; f < fields.size(); ++f) {
         const bool take_vertex =
             outside() == Outside::nearest && fields[f]->location == FieldLocation::vertex;
-        scatter(sites.outside, take_vertex ? nearest[f] : feet[f], values[f]);
+        scatter(targets.outside, take_vertex ? nearest[f] : feet[f], values[f]);
     }
 }
 

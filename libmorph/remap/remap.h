@@ -61,29 +61,21 @@ public:
     const std::optional<Conservation>& conservation(FieldLocation location) const;
 
     /// Where the vertices or the element centres of the target lie. Found when first asked for.
-    const TargetLocations& sites(FieldLocation location);
-
-    /// The points that these are.
-    const Points& targets(FieldLocation location);
+    const TargetLocations& locations(FieldLocation location);
 
 private:
-    struct Targets {
-        Points points;
-        TargetLocations sites;
-    };
-    const Targets& located(FieldLocation location);
     FieldLocation place_of(const Field& field) const;
     std::vector<Matrix> values_at(FieldLocation location, std::span<const Field* const> fields);
     std::vector<Matrix> interpolated(FieldLocation location, std::span<const Field* const> fields);
-    void fill_outside(const Targets& targets, std::span<const Field* const> fields,
+    void fill_outside(const TargetLocations& targets, std::span<const Field* const> fields,
                       std::vector<Matrix>& values);
     Outside outside() const;
 
     const Locator& source_;
     const Mesh& target_;
     RemapSettings settings_;
-    std::optional<Targets> vertices_;
-    std::optional<Targets> centres_;
+    std::optional<TargetLocations> vertices_;
+    std::optional<TargetLocations> centres_;
     std::optional<Conservation> nodal_conservation_;
     std::optional<Conservation> element_conservation_;
 };

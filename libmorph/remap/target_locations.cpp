@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace morph {
 
@@ -27,24 +28,24 @@ bool is_on_rim(const Mesh& mesh, const ElementTree::Closest& closest)
     return mesh.kernel.is_boundary(mesh.kernel.edge_handle(side));
 }
 
-void collect_outside(TargetLocations& sites)
+void collect_outside(TargetLocations& result)
 {
-    for (std::size_t i = 0; i < sites.locations.face.size(); ++i)
-        if (sites.locations.face[i] < 0)
-            sites.outside.push_back(static_cast<Index>(i));
+    for (std::size_t i = 0; i < result.elements.face.size(); ++i)
+        if (result.elements.face[i] < 0)
+            result.outside.push_back(static_cast<Index>(i));
 }
 
-TargetLocations sites_in_plane(const Locator& source, const Eigen::Ref<const Points>& targets)
+TargetLocations locate_in_plane(const Locator& source, const Eigen::Ref<const Points>& targets)
 {
-    TargetLocations sites;
-    sites.locations = source.locate(targets);
-    collect_outside(sites);
-    sites.outside_feet.resize(sites.outside.size());
-    parallel_for(sites.outside.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
+    TargetLocations result;
+    result.elements = source.locate(targets);
+    collect_outside(result);
+    result.outside_feet.resize(result.outside.size());
+    parallel_for(result.outside.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sites.outside_feet[i] = source.tree().closest(targets.row(sites.outside[i]).transpose());
+            result.outside_feet[i] = source.tree().closest(targets.row(result.outside[i]).transpose());
     });
-    return sites;
+    return result;
 }
 
 double size_of(const Mesh& mesh)
@@ -53,36 +54,36 @@ double size_of(const Mesh& mesh)
     return (p.colwise().maxCoeff() - p.colwise().minCoeff()).norm();
 }
 
-TargetLocations sites_on_surface(const Locator& source, const Eigen::Ref<const Points>& targets)
+TargetLocations locate_on_surface(const Locator& source, const Eigen::Ref<const Points>& targets)
 {
     constexpr double kTouching = 1e-9; // of the surface's size: what rounding moves a point off a rim
     const double touching = kTouching * size_of(source.source());
     const auto n = static_cast<std::size_t>(targets.rows());
-    TargetLocations sites;
-    sites.locations.order = hilbert_order(targets, 3);
-    sites.locations.face.assign(n, -1);
-    sites.feet.resize(targets.rows(), 3);
-    sites.distance.resize(n);
+    TargetLocations result;
+    result.elements.order = hilbert_order(targets, 3);
+    result.elements.face.assign(n, -1);
+    result.feet.resize(targets.rows(), 3);
+    result.distance.resize(n);
     std::vector<Index> closest_face(n);
     parallel_for(n, kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Index target = sites.locations.order[i];
+            const Index target = result.elements.order[i];
             const auto t = static_cast<std::size_t>(target);
             const ElementTree::Closest closest = source.tree().closest(targets.row(target).transpose());
-            sites.feet.row(target) = closest.point.transpose();
-            sites.distance[t] = closest.distance;
+            result.feet.row(target) = closest.point.transpose();
+            result.distance[t] = closest.distance;
             closest_face[t] = closest.face;
             if (closest.distance <= touching || !is_on_rim(source.source(), closest))
-                sites.locations.face[t] = closest.face;
+                result.elements.face[t] = closest.face;
         }
     });
-    collect_outside(sites);
-    for (const Index target : sites.outside) {
+    collect_outside(result);
+    for (const Index target : result.outside) {
         const auto t = static_cast<std::size_t>(target);
-        sites.outside_feet.push_back(
-            {closest_face[t], sites.feet.row(target).transpose(), sites.distance[t], 0});
+        result.outside_feet.push_back(
+            {closest_face[t], result.feet.row(target).transpose(), result.distance[t], 0});
     }
-    return sites;
+    return result;
 }
 
 void require_finite(const Eigen::Ref<const Points>& targets)
@@ -94,14 +95,16 @@ void require_finite(const Eigen::Ref<const Points>& targets)
 
 } // namespace
 
-TargetLocations locate_targets(const Locator& source, const Eigen::Ref<const Points>& targets)
+TargetLocations locate_targets(const Locator& source, Points targets)
 {
     if (element_count(source.source()) == 0)
         throw InputError("the source has no element to take values from");
-    if (source.source().dimension == 2)
-        return sites_in_plane(source, targets);
-    require_finite(targets);
-    return sites_on_surface(source, targets);
+    const bool planar = source.source().dimension == 2;
+    if (!planar)
+        require_finite(targets);
+    TargetLocations result = planar ? locate_in_plane(source, targets) : locate_on_surface(source, targets);
+    result.points = std::move(targets);
+    return result;
 }
 
 } // namespace morph

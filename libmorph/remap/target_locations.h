@@ -8,7 +8,8 @@ namespace morph {
 
 /// Where n targets lie on a source mesh, and those outside how far from it.
 struct TargetLocations {
-    Locations locations;                            ///< of the targets inside
+    Points points;                                  ///< the targets, n x 3
+    ContainingElements elements;                    ///< of the targets inside
     std::vector<Index> outside;                     ///< the other targets, ascending
     std::vector<ElementTree::Closest> outside_feet; ///< for each of them the closest point of the source
     Points feet;                  ///< surfaces only: the closest points of all targets, n x 3
@@ -23,6 +24,6 @@ struct TargetLocations {
 /// target outside.
 /// @param targets  n x 3; z = 0 for a planar source
 /// @throws InputError  see Locator::locate(); the source has no element
-TargetLocations locate_targets(const Locator& source, const Eigen::Ref<const Points>& targets);
+TargetLocations locate_targets(const Locator& source, Points targets);
 
 } // namespace morph

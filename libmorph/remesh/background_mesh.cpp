@@ -25,36 +25,36 @@ double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
     return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
-std::array<Eigen::Vector3d, 3> corners(const CornerTable& net, Index t)
+std::array<Eigen::Vector3d, 3> corners(const CornerTable& table, Index t)
 {
-    return {net.point(net.from[at(3 * t)]), net.point(net.from[at(3 * t + 1)]),
-            net.point(net.from[at(3 * t + 2)])};
+    return {table.point(table.from[at(3 * t)]), table.point(table.from[at(3 * t + 1)]),
+            table.point(table.from[at(3 * t + 2)])};
 }
 
 } // namespace
 
 double BackgroundMesh::size_at(Index t, const Eigen::Vector3d& p) const
 {
-    const auto c = corners(net_, t);
+    const auto c = corners(table_, t);
     double sum = 0, size = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const Eigen::Vector3d &a = c[(k + 1) % 3], &b = c[(k + 2) % 3];
         const double share = planar_ ? std::max(cross(a, b, p), 0.0) : (a - p).cross(b - p).norm();
         sum += share;
-        size += share * net_.vertices[at(net_.from[at(3 * t) + k])].size;
+        size += share * table_.vertices[at(table_.from[at(3 * t) + k])].size;
     }
-    return sum > 0 ? size / sum : net_.vertices[at(net_.from[at(3 * t)])].size;
+    return sum > 0 ? size / sum : table_.vertices[at(table_.from[at(3 * t)])].size;
 }
 
 bool BackgroundMesh::walk(const Eigen::Vector3d& p, Index& t, int longest) const
 {
     Index came_from = -1;
     for (int step = 0; step < longest; ++step) {
-        const auto c = corners(net_, t);
+        const auto c = corners(table_, t);
         Index onward = -1;
         bool at_border = false;
         for (std::size_t k = 0; k < 3 && onward < 0; ++k) {
-            const Index beyond = net_.twin[at(3 * t) + k];
+            const Index beyond = table_.twin[at(3 * t) + k];
             if ((beyond >= 0 && beyond / 3 == came_from) || cross(c[k], c[(k + 1) % 3], p) >= 0)
                 continue;
             at_border = at_border || beyond < 0;
@@ -80,13 +80,13 @@ BackgroundMesh::Place BackgroundMesh::find_in_plane(const Eigen::Vector3d& p, In
 BackgroundMesh::Place BackgroundMesh::find_closest(const Eigen::Vector3d& p, Index near) const
 {
     Index t = near;
-    TrianglePoint best = closest_on_triangle(corners(net_, t), p);
+    TrianglePoint best = closest_on_triangle(corners(table_, t), p);
     for (int step = 0; step < kLongestWalk; ++step) {
         const Index here = t;
         // Every triangle around a corner, so that no fan of thin ones stops the descent.
         for (int k = 0; k < 3; ++k)
-            net_.around(net_.from[at(3 * here + k)], [&](Index out) {
-                const TrianglePoint found = closest_on_triangle(corners(net_, out / 3), p);
+            table_.around(table_.from[at(3 * here + k)], [&](Index out) {
+                const TrianglePoint found = closest_on_triangle(corners(table_, out / 3), p);
                 if (found.distance2 < best.distance2) {
                     best = found;
                     t = out / 3;
@@ -107,15 +107,15 @@ void BackgroundMesh::find_normals(const std::vector<Index>& tag)
 {
     constexpr int kRings = 2;
     normals_.clear();
-    for (Index t = 0; t < net_.triangle_slots(); ++t) {
-        const auto c = corners(net_, t);
+    for (Index t = 0; t < table_.triangle_slots(); ++t) {
+        const auto c = corners(table_, t);
         normals_.push_back((c[1] - c[0]).cross(c[2] - c[0]));
     }
     for (int ring = 0; ring < kRings; ++ring) {
         const std::vector<Eigen::Vector3d> before = normals_;
         for (std::size_t h = 0; h < tag.size(); ++h)
-            if (tag[h] == kNoTag && net_.twin[h] >= 0)
-                normals_[h / 3] += before[at(net_.twin[h] / 3)];
+            if (tag[h] == kNoTag && table_.twin[h] >= 0)
+                normals_[h / 3] += before[at(table_.twin[h] / 3)];
     }
     for (Eigen::Vector3d& normal : normals_)
         normal.normalize();

@@ -7,8 +7,7 @@
 
 namespace morph {
 
-/// The mesh as it was before it was remade: what the wanted sizes are known on, and the surface that vertices
-/// stay on.
+/// The mesh as it was before remeshing: the target sizes are known on it, and vertices stay on its surface.
 ///
 /// Points are found by a walk from a triangle nearby, which takes a few steps. Where a hole or a border is in
 /// the way, or the surface folds, the walk ends at the nearest place it reaches; that costs accuracy of a
@@ -16,12 +15,12 @@ namespace morph {
 class BackgroundMesh {
 public:
     /// @param planar  points are found by which triangle holds them, else by which is closest
-    BackgroundMesh(const CornerTable& net, bool planar) : net_(net), planar_(planar) {}
+    BackgroundMesh(const CornerTable& table, bool planar) : table_(table), planar_(planar) {}
 
     struct Place {
         Index triangle = 0;
         Eigen::Vector3d point; ///< on the triangle, the point asked for or the closest
-        double size = 0;       ///< wanted there
+        double size = 0;       ///< target edge length there
     };
     /// @param near  triangle to start from
     Place find(const Eigen::Vector3d& point, Index near) const;
@@ -32,12 +31,12 @@ public:
     void jump_with(std::function<Index(const Eigen::Vector3d&)> jump) { jump_ = std::move(jump); }
 
     /// Wanted sizes as vertices of the input are numbered; may be changed before find() is called.
-    std::vector<TableVertex>& vertices() { return net_.vertices; }
-    const CornerTable& net() const { return net_; }
+    std::vector<TableVertex>& vertices() { return table_.vertices; }
+    const CornerTable& table() const { return table_; }
 
     /// Find the unit normals of the surface: at each triangle the mean of those around it by area, not across
     /// feature edges, so that a sliver of a scanned surface has that of its neighbours.
-    /// @param tag  of each halfedge of the net, see CornerTable::tag
+    /// @param tag  of each halfedge of the corner table, see CornerTable::tag
     void find_normals(const std::vector<Index>& tag);
     /// Zero before find_normals().
     Eigen::Vector3d normal(Index triangle) const;
@@ -50,7 +49,7 @@ private:
     /// Walk towards a point; false where it does not get there.
     bool walk(const Eigen::Vector3d& point, Index& triangle, int longest) const;
 
-    CornerTable net_;
+    CornerTable table_;
     std::vector<Eigen::Vector3d> normals_;
     bool planar_;
     std::function<Index(const Eigen::Vector3d&)> jump_;

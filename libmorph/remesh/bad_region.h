@@ -6,10 +6,10 @@
 
 namespace morph {
 
-/// Quality of each triangle as triangle_quality() has it, m values; 1 for quads, which are never remade.
+/// Quality of each triangle as triangle_quality() has it, m values; 1 for quads, which are never remeshed.
 std::vector<double> triangle_qualities(const Mesh& mesh);
 
-/// The elements to keep when only bad triangles are remade, for RemeshSettings::kept: all but those below a
+/// The elements to keep when only bad triangles are remeshed, for RemeshSettings::kept: all but those below a
 /// quality and, @p rings times, those that share a vertex with them.
 std::vector<bool> all_but_bad(const Mesh& mesh, double quality, int rings = 2);
 

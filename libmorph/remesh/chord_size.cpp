@@ -22,12 +22,12 @@ RemeshState with_features(const Mesh& mesh, const FeatureSettings& features)
     std::vector<bool> quads;
     for (const Element& element : element_table(mesh))
         quads.push_back(element[3] >= 0);
-    CornerTable net = net_of(mesh, quads);
+    CornerTable table = corner_table_of(mesh, quads);
     const bool planar = mesh.dimension == 2;
-    BackgroundMesh underlay(net, planar);
-    RemeshState made{std::move(net), {}, std::move(underlay), planar};
-    find_features(made, mesh, features);
-    return made;
+    BackgroundMesh background(table, planar);
+    RemeshState state{std::move(table), {}, std::move(background), planar};
+    find_features(state, mesh, features);
+    return state;
 }
 
 } // namespace
@@ -36,20 +36,20 @@ Eigen::VectorXd chord_sizes(const Mesh& mesh, const FeatureSettings& features, d
 {
     Eigen::VectorXd radius =
         Eigen::VectorXd::Constant(vertex_count(mesh), std::numeric_limits<double>::infinity());
-    const RemeshState made = with_features(mesh, features);
-    const CornerTable& net = made.net;
+    const RemeshState state = with_features(mesh, features);
+    const CornerTable& table = state.table;
     const auto lower = [&](Index v, double most) {
-        double& here = radius[net.vertices[at(v)].origin];
+        double& here = radius[table.vertices[at(v)].origin];
         here = std::min(here, most);
     };
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
-        if (on_curve(net, h)) {
-            const double least = least_radius(made, h);
-            lower(net.from[at(h)], least);
-            lower(net.to(h), least);
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h)
+        if (on_curve(table, h)) {
+            const double least = least_radius(state, h);
+            lower(table.from[at(h)], least);
+            lower(table.to(h), least);
         }
-    if (!made.planar) {
-        const Eigen::VectorXd curvature = largest_curvature(net);
+    if (!state.planar) {
+        const Eigen::VectorXd curvature = largest_curvature(table);
         for (Index v = 0; v < curvature.size(); ++v)
             lower(v, 1 / curvature[v]);
     }

@@ -9,19 +9,19 @@
 
 namespace morph {
 
-/// What holds a vertex while a mesh is remade: nothing, everything, or (0 and up) the feature curve it is on.
+/// What holds a vertex during remeshing: nothing, everything, or (0 and up) the feature curve it is on.
 inline constexpr Index kFreeVertex = -1;
 inline constexpr Index kFixedVertex = -2;
 
 /// A vertex of a CornerTable.
 struct TableVertex {
     Eigen::Vector3d point;
-    double size = 0;           ///< wanted edge length here
+    double size = 0;           ///< target edge length here
     double u = 0;              ///< on a feature curve: its parameter
     Index curve = kFreeVertex; ///< number of the feature curve, kFreeVertex or kFixedVertex
     Index out = -1;            ///< a halfedge from here, at a border the one with nothing on its right;
                                ///  -1: the vertex is gone
-    Index below = 0;           ///< triangle of the underlay it lies in
+    Index below = 0;           ///< triangle of the background mesh it lies in
     Index origin = -1;         ///< vertex of the input that it is; -1: new
 };
 
@@ -74,7 +74,7 @@ public:
     /// @return its number
     Index split(Index h, const TableVertex& vertex);
 
-    /// Making one vertex of the ends of @p h leaves a net of triangles: the two have no neighbours in common
+    /// Making one vertex of the ends of @p h leaves a triangle mesh: the two have no neighbours in common
     /// but the corners opposite to the edge, and something is left of both sides.
     bool collapsible(Index h) const;
 
@@ -84,8 +84,8 @@ public:
     /// Replace an inner edge by the other diagonal of its two triangles.
     void flip(Index h);
 
-    /// Drop what is gone and number vertices (by @p order, a permutation of all slots) and triangles anew, so
-    /// that neighbours lie near each other in memory.
+    /// Drop what is gone and number vertices (by @p order, a permutation of all slots) and triangles
+    /// again, so that neighbours lie near each other in memory.
     void renumber(const std::vector<Index>& order);
 
 private:

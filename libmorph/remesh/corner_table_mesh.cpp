@@ -17,9 +17,9 @@ std::size_t at(Index i)
 
 class MeshMaker {
 public:
-    MeshMaker(const RemeshState& made, const CornerTable& before, const Mesh& mesh,
+    MeshMaker(const RemeshState& state, const CornerTable& before, const Mesh& mesh,
               const std::vector<bool>& kept, NumberingRule rule)
-        : made_(made), net_(made.net), before_(before), mesh_(mesh), kept_(kept), rule_(rule)
+        : state_(state), table_(state.table), before_(before), mesh_(mesh), kept_(kept), rule_(rule)
     {
     }
 
@@ -56,19 +56,19 @@ private:
                 for (const Index v : element_corners(mesh_, f))
                     if (v >= 0)
                         add_vertex(file_number(v), positions.row(v), -1);
-        of_net_.assign(net_.vertices.size(), -1);
-        for (std::size_t v = 0; v < net_.vertices.size(); ++v) {
-            const TableVertex& vertex = net_.vertices[v];
+        of_table_.assign(table_.vertices.size(), -1);
+        for (std::size_t v = 0; v < table_.vertices.size(); ++v) {
+            const TableVertex& vertex = table_.vertices[v];
             if (vertex.out < 0)
                 continue;
             const Index file = vertex.origin < 0 ? -1 : file_number(vertex.origin);
             add_vertex(file, vertex.point, vertex.below);
-            of_net_[v] = file >= 0 ? of_file_[at(file)] : static_cast<Index>(points_.size()) - 1;
+            of_table_[v] = file >= 0 ? of_file_[at(file)] : static_cast<Index>(points_.size()) - 1;
         }
         const std::vector<Index> number = kept_numbers(wishes_);
         const auto renumber = [&](Index& v) { v = v < 0 ? v : number[at(v)]; };
         std::for_each(of_file_.begin(), of_file_.end(), renumber);
-        std::for_each(of_net_.begin(), of_net_.end(), renumber);
+        std::for_each(of_table_.begin(), of_table_.end(), renumber);
         result_.data.points.resize(static_cast<Eigen::Index>(points_.size()), 3);
         result_.below.resize(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -93,10 +93,11 @@ private:
             elements.push_back(element);
             wishes.push_back(rule_ == NumberingRule::keep_old ? file : -1);
         }
-        for (Index t = 0; t < net_.triangle_slots(); ++t)
-            if (net_.alive(t)) {
-                elements.push_back({of_net_[at(net_.from[at(3 * t)])], of_net_[at(net_.from[at(3 * t + 1)])],
-                                    of_net_[at(net_.from[at(3 * t + 2)])], -1});
+        for (Index t = 0; t < table_.triangle_slots(); ++t)
+            if (table_.alive(t)) {
+                elements.push_back({of_table_[at(table_.from[at(3 * t)])],
+                                    of_table_[at(table_.from[at(3 * t + 1)])],
+                                    of_table_[at(table_.from[at(3 * t + 2)])], -1});
                 wishes.push_back(-1);
             }
         const std::vector<Index> number = kept_numbers(wishes);
@@ -108,14 +109,14 @@ private:
     /// The halfedges along each curve, in order of its parameter.
     void order_curves()
     {
-        along_.resize(made_.curves.size());
-        for (Index h = 0; h < static_cast<Index>(net_.from.size()); ++h) {
-            const Index mark = net_.tag[at(h)];
-            if (net_.from[at(h)] < 0 || mark < 0 || mark == kKeptTag ||
-                (net_.twin[at(h)] >= 0 && mark % 2 == 1))
+        along_.resize(state_.curves.size());
+        for (Index h = 0; h < static_cast<Index>(table_.from.size()); ++h) {
+            const Index mark = table_.tag[at(h)];
+            if (table_.from[at(h)] < 0 || mark < 0 || mark == kKeptTag ||
+                (table_.twin[at(h)] >= 0 && mark % 2 == 1))
                 continue;
-            const auto u = edge_parameters(made_, h);
-            std::array<Index, 2> edge{of_net_[at(net_.from[at(h)])], of_net_[at(net_.to(h))]};
+            const auto u = edge_parameters(state_, h);
+            std::array<Index, 2> edge{of_table_[at(table_.from[at(h)])], of_table_[at(table_.to(h))]};
             if (mark % 2 == 1)
                 std::swap(edge[0], edge[1]);
             along_[at(mark / 2)].push_back({std::min(u[0], u[1]), edge});
@@ -127,7 +128,7 @@ private:
     void add_markers()
     {
         order_curves();
-        const NetEdges find(before_, vertex_count(mesh_));
+        const TableEdges find(before_, vertex_count(mesh_));
         for (const Marker& old : mesh_.markers) {
             Marker marker{old.name, {}};
             std::set<Index> done;
@@ -155,8 +156,8 @@ private:
                 marker.edges.push_back({it->second[1], it->second[0]});
     }
 
-    const RemeshState& made_;
-    const CornerTable& net_;
+    const RemeshState& state_;
+    const CornerTable& table_;
     const CornerTable& before_;
     const Mesh& mesh_;
     const std::vector<bool>& kept_;
@@ -164,13 +165,13 @@ private:
     RemeshResult result_;
     std::vector<Eigen::Vector3d> points_;
     std::vector<Index> below_, wishes_;
-    std::vector<Index> of_file_, of_net_; ///< number in the result
+    std::vector<Index> of_file_, of_table_; ///< number in the result
     std::vector<std::vector<std::pair<double, std::array<Index, 2>>>> along_;
 };
 
 } // namespace
 
-CornerTable net_of(const Mesh& mesh, const std::vector<bool>& kept)
+CornerTable corner_table_of(const Mesh& mesh, const std::vector<bool>& kept)
 {
     const auto positions = points(mesh);
     std::vector<Index> number(at(vertex_count(mesh)), -1);
@@ -200,25 +201,26 @@ CornerTable net_of(const Mesh& mesh, const std::vector<bool>& kept)
     for (auto& triangle : triangles)
         for (Index& v : triangle)
             v = number[at(v)];
-    CornerTable net(std::move(vertices), triangles);
-    for (std::size_t h = 0; h < net.from.size(); ++h) {
+    CornerTable table(std::move(vertices), triangles);
+    for (std::size_t h = 0; h < table.from.size(); ++h) {
         const auto half = static_cast<Index>(h);
-        if (net.twin[h] >= 0)
+        if (table.twin[h] >= 0)
             continue;
-        const Index a = net.vertices[at(net.from[h])].origin, b = net.vertices[at(net.to(half))].origin;
+        const Index a = table.vertices[at(table.from[h])].origin,
+                    b = table.vertices[at(table.to(half))].origin;
         const HalfedgeHandle edge = mesh.kernel.find_halfedge(VertexHandle(a), VertexHandle(b));
         if (mesh.kernel.face_handle(mesh.kernel.opposite_halfedge_handle(edge)).is_valid())
-            net.tag[h] = kKeptTag;
+            table.tag[h] = kKeptTag;
     }
-    for (TableVertex& vertex : net.vertices)
+    for (TableVertex& vertex : table.vertices)
         vertex.below = vertex.out / 3;
-    return net;
+    return table;
 }
 
-RemeshResult mesh_of(const RemeshState& made, const CornerTable& before, const Mesh& mesh,
+RemeshResult mesh_of(const RemeshState& state, const CornerTable& before, const Mesh& mesh,
                      const std::vector<bool>& kept, NumberingRule rule)
 {
-    return MeshMaker(made, before, mesh, kept, rule).run();
+    return MeshMaker(state, before, mesh, kept, rule).run();
 }
 
 } // namespace morph

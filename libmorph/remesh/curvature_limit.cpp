@@ -16,26 +16,26 @@ std::size_t at(Index i)
     return static_cast<std::size_t>(i);
 }
 
-bool is_kept_side(const CornerTable& net, Index h)
+bool is_kept_side(const CornerTable& table, Index h)
 {
-    return net.from[at(h)] >= 0 && net.tag[at(h)] == kKeptTag;
+    return table.from[at(h)] >= 0 && table.tag[at(h)] == kKeptTag;
 }
 
 /// The longest size that each vertex is given: what its curves allow, and no more than the longest kept side
 /// there.
-std::vector<double> most_at_vertices(const RemeshState& made)
+std::vector<double> most_at_vertices(const RemeshState& state)
 {
     constexpr double kTurn = std::numbers::pi / 6;
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    const CornerTable& net = made.net;
-    std::vector<double> by_curves(net.vertices.size(), kNone), by_kept(net.vertices.size(), 0);
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        const bool kept = is_kept_side(net, h);
-        if (!kept && !on_curve(net, h))
+    const CornerTable& table = state.table;
+    std::vector<double> by_curves(table.vertices.size(), kNone), by_kept(table.vertices.size(), 0);
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h) {
+        const bool kept = is_kept_side(table, h);
+        if (!kept && !on_curve(table, h))
             continue;
-        const double own = (net.point(net.from[at(h)]) - net.point(net.to(h))).norm();
-        const double most = kept ? own : std::max(kTurn * least_radius(made, h), own);
-        for (const Index v : {net.from[at(h)], net.to(h)})
+        const double own = (table.point(table.from[at(h)]) - table.point(table.to(h))).norm();
+        const double most = kept ? own : std::max(kTurn * least_radius(state, h), own);
+        for (const Index v : {table.from[at(h)], table.to(h)})
             if (kept)
                 by_kept[at(v)] = std::max(by_kept[at(v)], most);
             else
@@ -49,38 +49,38 @@ std::vector<double> most_at_vertices(const RemeshState& made)
 
 } // namespace
 
-bool on_curve(const CornerTable& net, Index h)
+bool on_curve(const CornerTable& table, Index h)
 {
-    const Index mark = net.tag[at(h)];
-    return mark >= 0 && mark != kKeptTag && net.twin[at(h)] < h;
+    const Index mark = table.tag[at(h)];
+    return mark >= 0 && mark != kKeptTag && table.twin[at(h)] < h;
 }
 
-double least_radius(const RemeshState& made, Index h)
+double least_radius(const RemeshState& state, Index h)
 {
     constexpr int kSamples = 4; // along an edge: a curve given may turn much between two nodes
-    const auto [from, to] = edge_parameters(made, h);
+    const auto [from, to] = edge_parameters(state, h);
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kSamples; ++i) {
         const double u = from + (to - from) * (i + 0.5) / kSamples;
-        least = std::min(least, made.curves[at(made.net.tag[at(h)] / 2)].radius(u));
+        least = std::min(least, state.curves[at(state.table.tag[at(h)] / 2)].radius(u));
     }
     return least;
 }
 
-void limit_by_curves(RemeshState& made)
+void limit_by_curves(RemeshState& state)
 {
     constexpr double kGradation = 1.2;
-    CornerTable& net = made.net;
-    const std::vector<double> most = most_at_vertices(made);
+    CornerTable& table = state.table;
+    const std::vector<double> most = most_at_vertices(state);
     std::vector<Index> lowered;
     for (std::size_t v = 0; v < most.size(); ++v)
-        if (most[v] < net.vertices[v].size) {
-            net.vertices[v].size = most[v];
+        if (most[v] < table.vertices[v].size) {
+            table.vertices[v].size = most[v];
             lowered.push_back(static_cast<Index>(v));
         }
-    limit_gradation(net, kGradation, lowered);
-    for (std::size_t v = 0; v < net.vertices.size(); ++v)
-        made.underlay.vertices()[v].size = net.vertices[v].size;
+    limit_gradation(table, kGradation, lowered);
+    for (std::size_t v = 0; v < table.vertices.size(); ++v)
+        state.background.vertices()[v].size = table.vertices[v].size;
 }
 
 } // namespace morph

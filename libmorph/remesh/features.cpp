@@ -32,8 +32,9 @@ struct Line {
 
 class FeatureFinder {
 public:
-    FeatureFinder(RemeshState& made, const Mesh& mesh, const FeatureSettings& settings)
-        : made_(made), net_(made.net), mesh_(mesh), settings_(settings), edges_of_(net_.vertices.size())
+    FeatureFinder(RemeshState& state, const Mesh& mesh, const FeatureSettings& settings)
+        : state_(state), table_(state.table), mesh_(mesh), settings_(settings),
+          edges_of_(table_.vertices.size())
     {
     }
 
@@ -41,32 +42,32 @@ public:
     {
         collect_markers();
         collect_borders();
-        if (!made_.planar)
+        if (!state_.planar)
             collect_creases();
         for (const auto& [h, membership] : edges_) {
-            edges_of_[at(net_.from[at(h)])].push_back(h);
-            edges_of_[at(net_.to(h))].push_back(h);
+            edges_of_[at(table_.from[at(h)])].push_back(h);
+            edges_of_[at(table_.to(h))].push_back(h);
         }
         for (std::size_t v = 0; v < edges_of_.size(); ++v)
             if (!edges_of_[v].empty() && must_stop(static_cast<Index>(v)))
-                net_.vertices[v].curve = kFixedVertex;
+                table_.vertices[v].curve = kFixedVertex;
         trace_lines();
     }
 
 private:
-    Index standing(Index h) const { return net_.twin[at(h)] < 0 ? h : std::min(h, net_.twin[at(h)]); }
+    Index standing(Index h) const { return table_.twin[at(h)] < 0 ? h : std::min(h, table_.twin[at(h)]); }
 
     void collect_markers()
     {
-        const NetEdges find(net_, vertex_count(mesh_));
+        const TableEdges find(table_, vertex_count(mesh_));
         for (std::size_t m = 0; m < mesh_.markers.size(); ++m)
             for (const auto& [a, b] : mesh_.markers[m].edges) {
                 const Index found = find.find(a, b);
-                if (found < 0 || net_.tag[at(found)] == kKeptTag)
+                if (found < 0 || table_.tag[at(found)] == kKeptTag)
                     continue;
                 const Index h = standing(found);
                 edges_[h].emplace_back(static_cast<Index>(m),
-                                       net_.vertices[at(net_.from[at(h)])].origin == a);
+                                       table_.vertices[at(table_.from[at(h)])].origin == a);
             }
         for (auto& [h, membership] : edges_)
             std::sort(membership.begin(), membership.end());
@@ -74,8 +75,8 @@ private:
 
     void collect_borders()
     {
-        for (Index h = 0; h < static_cast<Index>(net_.from.size()); ++h)
-            if (net_.twin[at(h)] < 0 && net_.tag[at(h)] != kKeptTag)
+        for (Index h = 0; h < static_cast<Index>(table_.from.size()); ++h)
+            if (table_.twin[at(h)] < 0 && table_.tag[at(h)] != kKeptTag)
                 edges_[h];
     }
 
@@ -83,11 +84,11 @@ private:
     {
         const double cosine = std::cos(settings_.crease_angle * std::numbers::pi / 180);
         std::set<Index> creases;
-        for (Index h = 0; h < static_cast<Index>(net_.from.size()); ++h) {
-            const Index g = net_.twin[at(h)];
+        for (Index h = 0; h < static_cast<Index>(table_.from.size()); ++h) {
+            const Index g = table_.twin[at(h)];
             if (g < h)
                 continue;
-            const Eigen::Vector3d m = net_normal(made_, h / 3), n = net_normal(made_, g / 3);
+            const Eigen::Vector3d m = triangle_normal(state_, h / 3), n = triangle_normal(state_, g / 3);
             if (m.dot(n) < cosine * m.norm() * n.norm() && edges_.try_emplace(h).second)
                 creases.insert(h);
         }
@@ -101,7 +102,7 @@ private:
         constexpr std::size_t kFewest = 6;
         std::map<Index, std::vector<Index>> at_vertex;
         for (const auto& [h, membership] : edges_)
-            for (const Index v : {net_.from[at(h)], net_.to(h)})
+            for (const Index v : {table_.from[at(h)], table_.to(h)})
                 at_vertex[v].push_back(h);
         std::set<Index> left = creases;
         while (!left.empty()) {
@@ -109,7 +110,7 @@ private:
             left.erase(left.begin());
             bool only_creases = true;
             for (std::size_t i = 0; i < connected.size(); ++i)
-                for (const Index v : {net_.from[at(connected[i])], net_.to(connected[i])})
+                for (const Index v : {table_.from[at(connected[i])], table_.to(connected[i])})
                     for (const Index other : at_vertex[v]) {
                         if (left.erase(other) > 0)
                             connected.push_back(other);
@@ -125,7 +126,7 @@ private:
     Membership seen_from(Index vertex, Index h) const
     {
         Membership membership = edges_.at(h);
-        if (net_.from[at(h)] != vertex)
+        if (table_.from[at(h)] != vertex)
             for (auto& [marker, along] : membership)
                 along = !along;
         return membership;
@@ -134,7 +135,7 @@ private:
     bool must_stop(Index v) const
     {
         const auto& here = edges_of_[at(v)];
-        if (net_.vertices[at(v)].curve == kFixedVertex || here.size() != 2)
+        if (table_.vertices[at(v)].curve == kFixedVertex || here.size() != 2)
             return true;
         Membership behind = seen_from(v, here[0]);
         for (auto& [marker, along] : behind)
@@ -142,17 +143,20 @@ private:
         return behind != seen_from(v, here[1]);
     }
 
-    Index other_end(Index h, Index v) const { return net_.from[at(h)] == v ? net_.to(h) : net_.from[at(h)]; }
+    Index other_end(Index h, Index v) const
+    {
+        return table_.from[at(h)] == v ? table_.to(h) : table_.from[at(h)];
+    }
 
     void trace_lines()
     {
         for (const bool closed : {false, true})
             for (const auto& [h, membership] : edges_) {
-                const Index a = net_.from[at(h)], b = net_.to(h);
+                const Index a = table_.from[at(h)], b = table_.to(h);
                 if (passed_.count(h) != 0)
                     continue;
-                const bool a_stops = net_.vertices[at(a)].curve == kFixedVertex;
-                const bool b_stops = net_.vertices[at(b)].curve == kFixedVertex;
+                const bool a_stops = table_.vertices[at(a)].curve == kFixedVertex;
+                const bool b_stops = table_.vertices[at(b)].curve == kFixedVertex;
                 if (!closed && !a_stops && !b_stops)
                     continue;
                 add_line(trace(closed || a_stops ? a : b, h));
@@ -168,12 +172,12 @@ private:
             passed_[h] = true;
             line.edges.push_back(h);
             v = other_end(h, v);
-            if (v == start && net_.vertices[at(v)].curve != kFixedVertex) {
+            if (v == start && table_.vertices[at(v)].curve != kFixedVertex) {
                 line.closed = true;
                 return line;
             }
             line.vertices.push_back(v);
-            if (net_.vertices[at(v)].curve == kFixedVertex)
+            if (table_.vertices[at(v)].curve == kFixedVertex)
                 return line;
             const auto& two = edges_of_[at(v)];
             h = two[0] == h ? two[1] : two[0];
@@ -186,7 +190,7 @@ private:
         const std::size_t n = line.vertices.size();
         if (!line.closed && (i == 0 || i + 1 == n))
             return Eigen::Vector3d::Zero();
-        const auto point = [&](std::size_t k) { return net_.point(line.vertices[k % n]); };
+        const auto point = [&](std::size_t k) { return table_.point(line.vertices[k % n]); };
         const Eigen::Vector3d before = point(i) - point(i + n - 1), after = point(i + 1) - point(i);
         const Eigen::Vector3d axis = before.cross(after);
         const double angle = std::atan2(axis.norm(), before.dot(after));
@@ -225,7 +229,7 @@ private:
             u = parameters(*given, line);
         std::vector<std::size_t> cuts = corners(line);
         for (const std::size_t i : cuts)
-            net_.vertices[at(line.vertices[i])].curve = kFixedVertex;
+            table_.vertices[at(line.vertices[i])].curve = kFixedVertex;
         if (line.closed && cuts.empty()) {
             add_curve(line, 0, line.vertices.size(), given, u);
             return;
@@ -246,7 +250,7 @@ private:
     {
         Points2 nodes(static_cast<Eigen::Index>(line.vertices.size()), 2);
         for (std::size_t i = 0; i < line.vertices.size(); ++i)
-            nodes.row(static_cast<Eigen::Index>(i)) = net_.point(line.vertices[i]).head<2>();
+            nodes.row(static_cast<Eigen::Index>(i)) = table_.point(line.vertices[i]).head<2>();
         std::vector<double> u;
         for (const CurveParameter& found : node_parameters(curve, nodes, line.closed))
             u.push_back(found.u);
@@ -276,33 +280,33 @@ private:
     {
         const std::size_t n = line.vertices.size();
         const bool whole = line.closed && last - first == n &&
-                           net_.vertices[at(line.vertices[first % n])].curve != kFixedVertex;
+                           table_.vertices[at(line.vertices[first % n])].curve != kFixedVertex;
         std::vector<Eigen::Vector3d> nodes;
         for (std::size_t i = first; i < last + (whole ? 0 : 1); ++i)
-            nodes.push_back(net_.point(line.vertices[i % n]));
+            nodes.push_back(table_.point(line.vertices[i % n]));
         const auto parameter = [&](std::size_t i) { return i < u.size() ? u[i] : u[i - n] + 1; };
-        const auto number = static_cast<Index>(made_.curves.size());
+        const auto number = static_cast<Index>(state_.curves.size());
         if (given != nullptr)
-            made_.curves.emplace_back(*given, parameter(first), parameter(last), whole);
+            state_.curves.emplace_back(*given, parameter(first), parameter(last), whole);
         else
-            made_.curves.emplace_back(
-                nodes, whole, made_.planar ? FeatureCurve::Shape::smooth : FeatureCurve::Shape::straight);
+            state_.curves.emplace_back(
+                nodes, whole, state_.planar ? FeatureCurve::Shape::smooth : FeatureCurve::Shape::straight);
         for (std::size_t i = first; i < last; ++i) {
             const Index h = line.edges[i % n], start = line.vertices[i % n];
-            const bool along = net_.from[at(h)] == start;
-            net_.tag[at(h)] = 2 * number + (along ? 0 : 1);
-            if (net_.twin[at(h)] >= 0)
-                net_.tag[at(net_.twin[at(h)])] = net_.tag[at(h)] ^ 1;
-            TableVertex& vertex = net_.vertices[at(start)];
+            const bool along = table_.from[at(h)] == start;
+            table_.tag[at(h)] = 2 * number + (along ? 0 : 1);
+            if (table_.twin[at(h)] >= 0)
+                table_.tag[at(table_.twin[at(h)])] = table_.tag[at(h)] ^ 1;
+            TableVertex& vertex = table_.vertices[at(start)];
             if (vertex.curve == kFixedVertex)
                 continue;
             vertex.curve = number;
-            vertex.u = given != nullptr ? parameter(i) : made_.curves.back().node_parameter(i - first);
+            vertex.u = given != nullptr ? parameter(i) : state_.curves.back().node_parameter(i - first);
         }
     }
 
-    RemeshState& made_;
-    CornerTable& net_;
+    RemeshState& state_;
+    CornerTable& table_;
     const Mesh& mesh_;
     const FeatureSettings& settings_;
     std::map<Index, Membership> edges_; ///< by the halfedge that stands for the edge
@@ -312,40 +316,40 @@ private:
 
 } // namespace
 
-NetEdges::NetEdges(const CornerTable& net, Index mesh_vertices)
-    : net_(net), first_(at(mesh_vertices), -1), next_of_same_(net.vertices.size(), -1)
+TableEdges::TableEdges(const CornerTable& table, Index mesh_vertices)
+    : table_(table), first_(at(mesh_vertices), -1), next_of_same_(table.vertices.size(), -1)
 {
-    for (std::size_t v = net.vertices.size(); v-- > 0;) {
-        const Index origin = net.vertices[v].origin;
-        if (net.vertices[v].out < 0 || origin < 0)
+    for (std::size_t v = table.vertices.size(); v-- > 0;) {
+        const Index origin = table.vertices[v].origin;
+        if (table.vertices[v].out < 0 || origin < 0)
             continue;
         next_of_same_[v] = first_[at(origin)];
         first_[at(origin)] = static_cast<Index>(v);
     }
 }
 
-Index NetEdges::find_directed(Index from, Index to) const
+Index TableEdges::find_directed(Index from, Index to) const
 {
     Index found = -1;
     for (Index v = first_[at(from)]; v >= 0; v = next_of_same_[at(v)])
-        net_.around(v, [&](Index h) {
-            if (net_.vertices[at(net_.to(h))].origin == to)
+        table_.around(v, [&](Index h) {
+            if (table_.vertices[at(table_.to(h))].origin == to)
                 found = h;
         });
     return found;
 }
 
-Index NetEdges::find(Index from, Index to) const
+Index TableEdges::find(Index from, Index to) const
 {
     const Index found = find_directed(from, to);
     return found >= 0 ? found : find_directed(to, from);
 }
 
-void find_features(RemeshState& made, const Mesh& mesh, const FeatureSettings& settings)
+void find_features(RemeshState& state, const Mesh& mesh, const FeatureSettings& settings)
 {
     for (const MarkerCurve& given : settings.curves)
         marker(mesh, given.marker); // names the nearest one where it is missing
-    FeatureFinder(made, mesh, settings).run();
+    FeatureFinder(state, mesh, settings).run();
 }
 
 } // namespace morph

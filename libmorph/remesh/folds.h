@@ -6,7 +6,7 @@
 
 namespace morph {
 
-/// Triangles of a remade surface that lie on it the wrong way round.
+/// Triangles of a remeshed surface that lie on it the wrong way round.
 ///
 /// They are turned by more than 90 degrees against the triangles of the old surface nearest to their centre
 /// and to points near their corners: all of these, because on a plate thinner than the sagitta of its

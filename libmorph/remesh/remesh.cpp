@@ -8,6 +8,7 @@
 #include "libmorph/remesh/local_operations.h"
 #include "libmorph/remesh/smoothing.h"
 #include "libmorph/remesh/start_from_boundary.h"
+#include "libmorph/remesh/worst_triangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,108 +50,108 @@ std::vector<bool> kept_elements(const Mesh& mesh, const RemeshSettings& settings
     return kept;
 }
 
-void require_positive(const RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept)
+void require_positive(const RemeshState& state, const Mesh& mesh, const std::vector<bool>& kept)
 {
     Index t = 0;
     for (Index f = 0; f < element_count(mesh); ++f) {
         if (kept[at(f)])
             continue;
-        if (!(triangle_quality(made, t) > 0))
+        if (!(triangle_quality(state, t) > 0))
             throw InputError("element " + std::to_string(mesh.numbering.element[at(f)]) +
-                             (made.planar ? " is inverted or has no area; untangle the mesh first"
-                                          : " has no area; remove it first"));
+                             (state.planar ? " is inverted or has no area; untangle the mesh first"
+                                           : " has no area; remove it first"));
         ++t;
     }
 }
 
 /// Renumber along a space-filling curve, so that what is near is near in memory.
-void renumber(RemeshState& made)
+void renumber(RemeshState& state)
 {
-    Points positions(static_cast<Eigen::Index>(made.net.vertices.size()), 3);
-    for (std::size_t v = 0; v < made.net.vertices.size(); ++v)
-        positions.row(static_cast<Eigen::Index>(v)) = made.net.vertices[v].point;
-    made.net.renumber(hilbert_order(positions, made.planar ? 2 : 3));
+    Points positions(static_cast<Eigen::Index>(state.table.vertices.size()), 3);
+    for (std::size_t v = 0; v < state.table.vertices.size(); ++v)
+        positions.row(static_cast<Eigen::Index>(v)) = state.table.vertices[v].point;
+    state.table.renumber(hilbert_order(positions, state.planar ? 2 : 3));
 }
 
 /// The longest of the edges that may be split.
-double longest_edge(const CornerTable& net)
+double longest_edge(const CornerTable& table)
 {
     double longest = 0;
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
-        if (net.from[at(h)] >= 0 && net.tag[at(h)] != kKeptTag)
-            longest = std::max(longest, relative_length(net, net.from[at(h)], net.to(h)));
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h)
+        if (table.from[at(h)] >= 0 && table.tag[at(h)] != kKeptTag)
+            longest = std::max(longest, relative_length(table, table.from[at(h)], table.to(h)));
     return longest;
 }
 
 /// Longest edges first, with flips between: else what refines a large triangle much makes fans of hundreds.
-/// Looks for the longest anew each time, as the middle of an edge may be where much shorter ones are wanted.
-void refine_in_steps(RemeshState& made)
+/// Looks for the longest again each time, as target lengths in the middle of an edge may be much shorter.
+void refine_in_steps(RemeshState& state)
 {
     constexpr double kStep = 1.5;
     constexpr int kMostSteps = 200;
-    double limit = longest_edge(made.net);
+    double limit = longest_edge(state.table);
     for (int step = 0; step < kMostSteps && limit > kLongEdge; ++step) {
         limit = std::max(limit / kStep, kLongEdge);
-        if (split_long_edges(made, limit) == 0)
+        if (split_long_edges(state, limit) == 0)
             continue;
-        flip_edges(made);
-        limit = longest_edge(made.net);
+        flip_edges(state);
+        limit = longest_edge(state.table);
     }
 }
 
-void remake(RemeshState& made, int iterations)
+void improve_mesh(RemeshState& state, int iterations)
 {
-    constexpr double kMend = 0.7; // quality below which triangles are looked at one by one
+    constexpr double kPoorQuality = 0.7; // quality below which triangles are looked at one by one
     constexpr int kLastSweeps = 5;
     for (int i = 0; i < iterations; ++i) {
         report_progress(kStage, static_cast<double>(i) / iterations);
-        refine_in_steps(made);
-        collapse_short_edges(made);
+        refine_in_steps(state);
+        collapse_short_edges(state);
         if (i == 0)
-            renumber(made);
-        flip_edges(made);
-        relax_vertices(made, 2);
+            renumber(state);
+        flip_edges(state);
+        smooth_vertices(state, 2);
     }
-    flip_edges(made);
-    relax_vertices(made, kLastSweeps);
-    flip_edges(made);
-    relax_vertices(made, kLastSweeps);
-    mend_worst(made, kMend);
-    renumber(made);
+    flip_edges(state);
+    smooth_vertices(state, kLastSweeps);
+    flip_edges(state);
+    smooth_vertices(state, kLastSweeps);
+    improve_worst(state, kPoorQuality);
+    renumber(state);
 }
 
 /// Features as if they were sides of kept elements.
-void hold_features(CornerTable& net)
+void hold_features(CornerTable& table)
 {
-    for (Index& tag : net.tag)
+    for (Index& tag : table.tag)
         if (tag != kNoTag)
             tag = kKeptTag;
-    for (TableVertex& vertex : net.vertices)
+    for (TableVertex& vertex : table.vertices)
         if (vertex.curve != kFreeVertex)
             vertex.curve = kFixedVertex;
 }
 
-void mark_features(RemeshState& made, const Mesh& mesh, const RemeshSettings& settings)
+void mark_features(RemeshState& state, const Mesh& mesh, const RemeshSettings& settings)
 {
-    find_features(made, mesh, settings.features);
+    find_features(state, mesh, settings.features);
     if (settings.hold_features)
-        hold_features(made.net);
+        hold_features(state.table);
 }
 
-RemeshResult remade(RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept,
-                    const RemeshSettings& settings)
+RemeshResult remeshed(RemeshState& state, const Mesh& mesh, const std::vector<bool>& kept,
+                      const RemeshSettings& settings)
 {
-    const CornerTable before = made.net;
-    remake(made, settings.iterations);
-    return mesh_of(made, before, mesh, kept, settings.numbering);
+    const CornerTable before = state.table;
+    improve_mesh(state, settings.iterations);
+    return mesh_of(state, before, mesh, kept, settings.numbering);
 }
 
-RemeshResult made_anew(RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept,
-                       const RemeshSettings& settings)
+RemeshResult remeshed_from_boundary(RemeshState& state, const Mesh& mesh, const std::vector<bool>& kept,
+                                    const RemeshSettings& settings)
 {
-    const Outline outline = start_from_outline(made, mesh, kept);
-    mark_features(made, outline.mesh, settings);
-    return remade(made, outline.mesh, outline.kept, settings);
+    const Outline outline = start_from_boundary(state, mesh, kept);
+    mark_features(state, outline.mesh, settings);
+    return remeshed(state, outline.mesh, outline.kept, settings);
 }
 
 } // namespace
@@ -159,22 +160,22 @@ RemeshResult remesh(const Mesh& mesh, const Eigen::VectorXd& sizes, const Remesh
 {
     require_sizes(mesh, sizes);
     const std::vector<bool> kept = kept_elements(mesh, settings);
-    CornerTable net = net_of(mesh, kept);
-    for (TableVertex& vertex : net.vertices)
+    CornerTable table = corner_table_of(mesh, kept);
+    for (TableVertex& vertex : table.vertices)
         vertex.size = sizes[vertex.origin];
     const bool planar = mesh.dimension == 2;
-    BackgroundMesh underlay(net, planar);
-    RemeshState made{std::move(net), {}, std::move(underlay), planar};
-    require_positive(made, mesh, kept);
-    mark_features(made, mesh, settings);
-    limit_by_curves(made);
+    BackgroundMesh background(table, planar);
+    RemeshState state{std::move(table), {}, std::move(background), planar};
+    require_positive(state, mesh, kept);
+    mark_features(state, mesh, settings);
+    limit_by_curves(state);
     if (!planar)
-        made.underlay.find_normals(made.net.tag);
+        state.background.find_normals(state.table.tag);
     Eigen::VectorXd limited = sizes;
-    for (const TableVertex& vertex : made.net.vertices)
+    for (const TableVertex& vertex : state.table.vertices)
         limited[vertex.origin] = vertex.size;
-    RemeshResult result =
-        settings.fresh ? made_anew(made, mesh, kept, settings) : remade(made, mesh, kept, settings);
+    RemeshResult result = settings.fresh ? remeshed_from_boundary(state, mesh, kept, settings)
+                                         : remeshed(state, mesh, kept, settings);
     result.sizes = limited;
     return result;
 }

@@ -1,6 +1,6 @@
 #include "libmorph/remesh/remesh_state.h"
 
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 
 #include <Eigen/Geometry>
 
@@ -33,59 +33,59 @@ double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& b, cons
     return sides > 0 ? kScale * area2 / sides : 0;
 }
 
-double triangle_quality(const RemeshState& made, Index t)
+double triangle_quality(const RemeshState& state, Index t)
 {
-    const CornerTable& net = made.net;
-    return triangle_quality(net.point(net.from[at(3 * t)]), net.point(net.from[at(3 * t + 1)]),
-                            net.point(net.from[at(3 * t + 2)]), made.planar);
+    const CornerTable& table = state.table;
+    return triangle_quality(table.point(table.from[at(3 * t)]), table.point(table.from[at(3 * t + 1)]),
+                            table.point(table.from[at(3 * t + 2)]), state.planar);
 }
 
-double relative_length(const CornerTable& net, Index a, Index b)
+double relative_length(const CornerTable& table, Index a, Index b)
 {
-    const TableVertex &p = net.vertices[at(a)], &q = net.vertices[at(b)];
+    const TableVertex &p = table.vertices[at(a)], &q = table.vertices[at(b)];
     return 2 * (p.point - q.point).norm() / (p.size + q.size);
 }
 
-Eigen::Vector3d net_normal(const RemeshState& made, Index t)
+Eigen::Vector3d triangle_normal(const RemeshState& state, Index t)
 {
-    if (made.planar)
+    if (state.planar)
         return Eigen::Vector3d::Zero();
-    const CornerTable& net = made.net;
-    const Eigen::Vector3d& a = net.point(net.from[at(3 * t)]);
-    return (net.point(net.from[at(3 * t + 1)]) - a).cross(net.point(net.from[at(3 * t + 2)]) - a);
+    const CornerTable& table = state.table;
+    const Eigen::Vector3d& a = table.point(table.from[at(3 * t)]);
+    return (table.point(table.from[at(3 * t + 1)]) - a).cross(table.point(table.from[at(3 * t + 2)]) - a);
 }
 
-Eigen::Vector3d surface_normal(const RemeshState& made, Index t)
+Eigen::Vector3d surface_normal(const RemeshState& state, Index t)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    if (made.planar)
+    if (state.planar)
         return sum;
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (const TableVertex& vertex = made.net.vertices[at(made.net.from[at(h)])];
+        if (const TableVertex& vertex = state.table.vertices[at(state.table.from[at(h)])];
             vertex.curve == kFreeVertex)
-            sum += made.underlay.normal(vertex.below);
-    return sum.isZero(0) ? net_normal(made, t).normalized() : sum.normalized();
+            sum += state.background.normal(vertex.below);
+    return sum.isZero(0) ? triangle_normal(state, t).normalized() : sum.normalized();
 }
 
-bool may_replace(const RemeshState& made, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+bool may_replace(const RemeshState& state, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                  const Eigen::Vector3d& c, const Eigen::Vector3d& surface)
 {
     constexpr double kCosine = 0.5;
-    if (made.planar)
+    if (state.planar)
         return orientation(in_plane(a), in_plane(b), in_plane(c)) > 0;
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     const double length = normal.norm();
     return length > 0 && normal.dot(surface) >= kCosine * length;
 }
 
-std::array<double, 2> edge_parameters(const RemeshState& made, Index h)
+std::array<double, 2> edge_parameters(const RemeshState& state, Index h)
 {
-    const CornerTable& net = made.net;
-    const Index mark = net.tag[at(h)], curve = mark / 2;
+    const CornerTable& table = state.table;
+    const Index mark = table.tag[at(h)], curve = mark / 2;
     const bool against = mark % 2 == 1;
-    const FeatureCurve& line = made.curves[at(curve)];
-    const TableVertex& first = net.vertices[at(against ? net.to(h) : net.from[at(h)])];
-    const TableVertex& last = net.vertices[at(against ? net.from[at(h)] : net.to(h))];
+    const FeatureCurve& line = state.curves[at(curve)];
+    const TableVertex& first = table.vertices[at(against ? table.to(h) : table.from[at(h)])];
+    const TableVertex& last = table.vertices[at(against ? table.from[at(h)] : table.to(h))];
     const double low = first.curve == curve ? first.u : line.begin();
     double high = last.curve == curve ? last.u : line.end();
     if (high <= low && line.closed())
@@ -93,36 +93,36 @@ std::array<double, 2> edge_parameters(const RemeshState& made, Index h)
     return against ? std::array{high, low} : std::array{low, high};
 }
 
-double star_quality(const RemeshState& made, Index vertex, const Eigen::Vector3d& point)
+double star_quality(const RemeshState& state, Index vertex, const Eigen::Vector3d& point)
 {
-    const CornerTable& net = made.net;
+    const CornerTable& table = state.table;
     double worst = 1;
-    net.around(vertex, [&](Index h) {
+    table.around(vertex, [&](Index h) {
         if (worst < 0)
             return;
-        const Eigen::Vector3d &b = net.point(net.to(h)), &c = net.point(net.apex(h));
-        worst = may_replace(made, point, b, c, surface_normal(made, h / 3))
-                    ? std::min(worst, triangle_quality(point, b, c, made.planar))
+        const Eigen::Vector3d &b = table.point(table.to(h)), &c = table.point(table.apex(h));
+        worst = may_replace(state, point, b, c, surface_normal(state, h / 3))
+                    ? std::min(worst, triangle_quality(point, b, c, state.planar))
                     : -1;
     });
     return worst;
 }
 
-void place_free(const RemeshState& made, TableVertex& vertex, const Eigen::Vector3d& point)
+void put_at(const RemeshState& state, TableVertex& vertex, const Eigen::Vector3d& point)
 {
-    const BackgroundMesh::Place place = made.underlay.find(point, vertex.below);
+    const BackgroundMesh::Place place = state.background.find(point, vertex.below);
     vertex.point = place.point;
     vertex.size = place.size;
     vertex.below = place.triangle;
 }
 
-void parametrize_marker(const RemeshState& made, TableVertex& vertex, Index curve, double u)
+void put_on_curve(const RemeshState& state, TableVertex& vertex, Index curve, double u)
 {
-    const FeatureCurve& line = made.curves[at(curve)];
+    const FeatureCurve& line = state.curves[at(curve)];
     vertex.curve = curve;
     vertex.u = line.closed() ? u - std::floor((u - line.begin()) / line.period()) * line.period() : u;
     vertex.point = line.point(u);
-    const BackgroundMesh::Place place = made.underlay.find(vertex.point, vertex.below);
+    const BackgroundMesh::Place place = state.background.find(vertex.point, vertex.below);
     vertex.size = place.size;
     vertex.below = place.triangle;
 }

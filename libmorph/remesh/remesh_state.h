@@ -9,15 +9,15 @@
 
 namespace morph {
 
-/// A mesh while it is remade.
+/// A mesh during remeshing.
 struct RemeshState {
-    CornerTable net;
+    CornerTable table;
     std::vector<FeatureCurve> curves; ///< by TableVertex::curve and CornerTable::tag
-    BackgroundMesh underlay;
+    BackgroundMesh background;
     bool planar = true;
 };
 
-/// Edges are split above and collapsed below these parts of the wanted length. Their ratio is 2, so that the
+/// Edges are split above and collapsed below these parts of the target length. Their ratio is 2, so that the
 /// halves of a split edge are not short.
 inline constexpr double kLongEdge = 1.4;
 inline constexpr double kShortEdge = 0.7;
@@ -27,34 +27,36 @@ inline constexpr double kShortEdge = 0.7;
 double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                         bool planar);
 
-/// Quality of a triangle of the net.
-double triangle_quality(const RemeshState& made, Index triangle);
+/// Quality of a triangle of the corner table.
+double triangle_quality(const RemeshState& state, Index triangle);
 
-/// Length of an edge over the mean of the lengths wanted at its ends.
-double relative_length(const CornerTable& net, Index a, Index b);
+/// Length of an edge over the mean of the target lengths at its ends.
+double relative_length(const CornerTable& table, Index a, Index b);
 
 /// A triangle may be there: in the plane its area is positive (exact), on a surface its normal is within 60
 /// degrees of that of the surface.
 /// @param normal  surface_normal() of the triangle it replaces
-bool may_replace(const RemeshState& made, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+bool may_replace(const RemeshState& state, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                  const Eigen::Vector3d& c, const Eigen::Vector3d& normal);
 
-/// Unit normal of the input's surface under a triangle of the net: the mean of those under its corners, but
-/// for the ones on features, which are between two; its own when all are. Not needed, and zero, in the plane.
-Eigen::Vector3d surface_normal(const RemeshState& made, Index triangle);
+/// Unit normal of the input's surface under a triangle of the corner table: the mean of those under its
+/// corners, but for the ones on features, which are between two; its own when all are. Not needed, and zero,
+/// in the plane.
+Eigen::Vector3d surface_normal(const RemeshState& state, Index triangle);
 
-/// Normal of a triangle of the net, not scaled; not needed, and zero, in the plane.
-Eigen::Vector3d net_normal(const RemeshState& made, Index triangle);
+/// Normal of a triangle of the corner table, not scaled; not needed, and zero, in the plane.
+Eigen::Vector3d triangle_normal(const RemeshState& state, Index triangle);
 
 /// Parameters of the ends of a halfedge on its feature curve, in the direction of the halfedge; those of a
 /// closed curve may lie beyond its end.
-std::array<double, 2> edge_parameters(const RemeshState& made, Index h);
+std::array<double, 2> edge_parameters(const RemeshState& state, Index h);
 
 /// Smallest quality of the triangles around a vertex if it were elsewhere; -1 where one of them may not be.
-double star_quality(const RemeshState& made, Index vertex, const Eigen::Vector3d& point);
+double star_quality(const RemeshState& state, Index vertex, const Eigen::Vector3d& point);
 
-/// A vertex there, of the size wanted there.
-void place_free(const RemeshState& made, TableVertex& vertex, const Eigen::Vector3d& point);
-void parametrize_marker(const RemeshState& made, TableVertex& vertex, Index curve, double u);
+/// Put a vertex at a point of the background mesh, or at parameter @p u of a feature curve, and give it the
+/// target size there.
+void put_at(const RemeshState& state, TableVertex& vertex, const Eigen::Vector3d& point);
+void put_on_curve(const RemeshState& state, TableVertex& vertex, Index curve, double u);
 
 } // namespace morph

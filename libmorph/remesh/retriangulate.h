@@ -13,7 +13,7 @@ struct RetriangulateSettings {
         nullptr; ///< n x 3: where old and new elements are compared; null: where the mesh is
 };
 
-/// A mesh some of whose elements were cut out and meshed anew.
+/// A mesh some of whose elements were cut out and meshed again.
 struct Retriangulated {
     MeshData data;             ///< numbers of the file stay where they are below the new counts
     std::vector<bool> made;    ///< per element of the data: it is new

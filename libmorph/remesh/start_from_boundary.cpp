@@ -17,7 +17,7 @@ std::size_t at(Index i)
     return static_cast<std::size_t>(i);
 }
 
-/// Finds triangles of the underlay, which are the elements of the mesh that are not kept, in their order.
+/// Finds triangles of the background mesh: the elements of the mesh that are not kept, in their order.
 std::function<Index(const Eigen::Vector3d&)> jump_in(const Mesh& mesh, const std::vector<bool>& kept)
 {
     std::vector<Index> triangle(kept.size(), -1);
@@ -44,30 +44,30 @@ Outline outline_of(const Mesh& mesh, const std::vector<bool>& kept)
     return outline;
 }
 
-/// The net of an outline whose vertices know their place and size on the mesh itself.
-CornerTable net_on(const BackgroundMesh& underlay, const Mesh& mesh, const Outline& outline)
+/// The corner table of an outline whose vertices know their place and size on the mesh itself.
+CornerTable corner_table_on(const BackgroundMesh& background, const Mesh& mesh, const Outline& outline)
 {
-    const CornerTable& below = underlay.net();
+    const CornerTable& below = background.table();
     std::vector<Index> of_file(at(mesh.numbering.file_vertices), -1);
     for (std::size_t v = 0; v < below.vertices.size(); ++v)
         of_file[at(mesh.numbering.vertex[at(below.vertices[v].origin)])] = static_cast<Index>(v);
-    CornerTable net = net_of(outline.mesh, outline.kept);
-    for (TableVertex& vertex : net.vertices) {
+    CornerTable table = corner_table_of(outline.mesh, outline.kept);
+    for (TableVertex& vertex : table.vertices) {
         const TableVertex& same = below.vertices[at(of_file[at(outline.vertex[at(vertex.origin)])])];
         vertex.size = same.size;
         vertex.below = same.out / 3;
     }
-    return net;
+    return table;
 }
 
 } // namespace
 
-Outline start_from_outline(RemeshState& made, const Mesh& mesh, const std::vector<bool>& kept)
+Outline start_from_boundary(RemeshState& state, const Mesh& mesh, const std::vector<bool>& kept)
 {
     Outline outline = outline_of(mesh, kept);
-    made.net = net_on(made.underlay, mesh, outline);
-    made.curves.clear();
-    made.underlay.jump_with(jump_in(mesh, kept));
+    state.table = corner_table_on(state.background, mesh, outline);
+    state.curves.clear();
+    state.background.jump_with(jump_in(mesh, kept));
     return outline;
 }
 

@@ -22,16 +22,16 @@ struct SmoothParts {
     Index count = 0;
 };
 
-SmoothParts smooth_parts(const CornerTable& net)
+SmoothParts smooth_parts(const CornerTable& table)
 {
-    SmoothParts parts{std::vector<Index>(net.from.size(), -1), 0};
+    SmoothParts parts{std::vector<Index>(table.from.size(), -1), 0};
     std::vector<Index> outs;
-    for (std::size_t v = 0; v < net.vertices.size(); ++v) {
-        if (net.vertices[v].out < 0)
+    for (std::size_t v = 0; v < table.vertices.size(); ++v) {
+        if (table.vertices[v].out < 0)
             continue;
         outs.clear();
-        net.around(static_cast<Index>(v), [&](Index h) { outs.push_back(h); });
-        const auto starts = [&](Index h) { return net.tag[at(h)] != kNoTag; };
+        table.around(static_cast<Index>(v), [&](Index h) { outs.push_back(h); });
+        const auto starts = [&](Index h) { return table.tag[at(h)] != kNoTag; };
         const auto first = std::find_if(outs.begin(), outs.end(), starts);
         if (first != outs.end())
             std::rotate(outs.begin(), first, outs.end());
@@ -45,18 +45,18 @@ SmoothParts smooth_parts(const CornerTable& net)
     return parts;
 }
 
-Eigen::Vector3d side(const CornerTable& net, Index h)
+Eigen::Vector3d side(const CornerTable& table, Index h)
 {
-    return net.point(net.to(h)) - net.point(net.from[at(h)]);
+    return table.point(table.to(h)) - table.point(table.from[at(h)]);
 }
 
 /// Unit normal of each part, of its triangles weighted so that it is exact on a sphere [Max 1999, Weights for
 /// computing vertex normals from facet normals, J. Graphics Tools 4(2)].
-Points part_normals(const CornerTable& net, const SmoothParts& parts)
+Points part_normals(const CornerTable& table, const SmoothParts& parts)
 {
     Points normals = Points::Zero(parts.count, 3);
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        const Eigen::Vector3d ahead = side(net, h), back = -side(net, CornerTable::previous(h));
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h) {
+        const Eigen::Vector3d ahead = side(table, h), back = -side(table, CornerTable::previous(h));
         const double lengths = ahead.squaredNorm() * back.squaredNorm();
         if (lengths > 0)
             normals.row(parts.of_corner[at(h)]) += ahead.cross(back) / lengths;
@@ -66,14 +66,14 @@ Points part_normals(const CornerTable& net, const SmoothParts& parts)
 }
 
 /// Second fundamental form of a triangle as a matrix of space.
-Eigen::Matrix3d fitted_form(const CornerTable& net, Index t, const std::array<Eigen::Vector3d, 3>& normal)
+Eigen::Matrix3d fitted_form(const CornerTable& table, Index t, const std::array<Eigen::Vector3d, 3>& normal)
 {
-    const Eigen::Vector3d u = side(net, 3 * t).normalized();
-    const Eigen::Vector3d v = side(net, 3 * t).cross(side(net, 3 * t + 1)).cross(u).normalized();
+    const Eigen::Vector3d u = side(table, 3 * t).normalized();
+    const Eigen::Vector3d v = side(table, 3 * t).cross(side(table, 3 * t + 1)).cross(u).normalized();
     Eigen::Matrix<double, 6, 3> sides = Eigen::Matrix<double, 6, 3>::Zero();
     Eigen::Matrix<double, 6, 1> turns;
     for (Eigen::Index k = 0; k < 3; ++k) {
-        const Eigen::Vector3d along = side(net, 3 * t + static_cast<Index>(k));
+        const Eigen::Vector3d along = side(table, 3 * t + static_cast<Index>(k));
         const Eigen::Vector3d turn =
             normal[static_cast<std::size_t>((k + 1) % 3)] - normal[static_cast<std::size_t>(k)];
         sides.row(2 * k) << along.dot(u), along.dot(v), 0;
@@ -96,14 +96,14 @@ double largest_of(const Eigen::Matrix3d& form)
 
 } // namespace
 
-Eigen::VectorXd largest_curvature(const CornerTable& net)
+Eigen::VectorXd largest_curvature(const CornerTable& table)
 {
-    const SmoothParts parts = smooth_parts(net);
-    const Points normals = part_normals(net, parts);
+    const SmoothParts parts = smooth_parts(table);
+    const Points normals = part_normals(table, parts);
     std::vector<Eigen::Matrix3d> forms(at(parts.count), Eigen::Matrix3d::Zero());
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(parts.count);
-    for (Index t = 0; t < net.triangle_slots(); ++t) {
-        const double area = side(net, 3 * t).cross(side(net, 3 * t + 1)).norm() / 2;
+    for (Index t = 0; t < table.triangle_slots(); ++t) {
+        const double area = side(table, 3 * t).cross(side(table, 3 * t + 1)).norm() / 2;
         if (!(area > 0))
             continue;
         std::array<Index, 3> part{};
@@ -112,20 +112,20 @@ Eigen::VectorXd largest_curvature(const CornerTable& net)
             part[k] = parts.of_corner[at(3 * t) + k];
             normal[k] = normals.row(part[k]);
         }
-        const Eigen::Matrix3d form = fitted_form(net, t, normal);
+        const Eigen::Matrix3d form = fitted_form(table, t, normal);
         for (const Index p : part) {
             forms[at(p)] += area * form;
             areas[p] += area;
         }
     }
-    Eigen::VectorXd largest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.vertices.size()));
+    Eigen::VectorXd largest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.vertices.size()));
     std::vector<bool> done(at(parts.count), false);
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h) {
         const Index part = parts.of_corner[at(h)];
         if (done[at(part)] || !(areas[part] > 0))
             continue;
         done[at(part)] = true;
-        double& curvature = largest[net.from[at(h)]];
+        double& curvature = largest[table.from[at(h)]];
         curvature = std::max(curvature, largest_of(forms[at(part)] / areas[part]));
     }
     return largest;

@@ -130,17 +130,17 @@ void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes)
                });
 }
 
-void limit_gradation(CornerTable& net, double gradation, const std::vector<Index>& from)
+void limit_gradation(CornerTable& table, double gradation, const std::vector<Index>& from)
 {
     SizeSpread spread(gradation);
     for (const Index v : from)
-        spread.start(v, net.vertices[static_cast<std::size_t>(v)].size);
+        spread.start(v, table.vertices[static_cast<std::size_t>(v)].size);
     std::vector<Index> near;
-    spread.run([&](Index v) -> double& { return net.vertices[static_cast<std::size_t>(v)].size; },
+    spread.run([&](Index v) -> double& { return table.vertices[static_cast<std::size_t>(v)].size; },
                [&](Index v, const auto& offer) {
-                   net.neighbours(v, near);
+                   table.neighbours(v, near);
                    for (const Index w : near)
-                       offer(w, (net.point(v) - net.point(w)).norm());
+                       offer(w, (table.point(v) - table.point(w)).norm());
                });
 }
 

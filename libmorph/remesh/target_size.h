@@ -22,28 +22,28 @@ Eigen::VectorXd current_sizes(const Mesh& mesh);
 /// @return n positive values; all equal for a linear field
 Eigen::VectorXd interpolation_sizes(const Mesh& mesh, const Matrix& values);
 
-/// Lower wanted sizes where they grow too fast: the lengths of edges that follow each other then differ by no
+/// Lower target sizes where they grow too fast: the lengths of edges that follow each other then differ by no
 /// more than the factor @p gradation, measured along the edges of the mesh.
 /// @param gradation  above 1
 void limit_gradation(const Mesh& mesh, double gradation, Eigen::VectorXd& sizes);
 
-/// The same on a net, around some of its vertices only: sizes grow from there by no more than that, whereas
-/// those far away stay as they are however they grow.
-void limit_gradation(CornerTable& net, double gradation, const std::vector<Index>& from);
+/// The same on a corner table, around some of its vertices only: sizes grow from there by no more than that,
+/// whereas those far away stay as they are however they grow.
+void limit_gradation(CornerTable& table, double gradation, const std::vector<Index>& from);
 
-/// Scale wanted sizes so that equilateral triangles of them fill the mesh with about this many vertices.
+/// Scale target sizes so that equilateral triangles of them fill the mesh with about this many vertices.
 void scale_to_vertices(const Mesh& mesh, Index vertices, Eigen::VectorXd& sizes);
 
-/// How well the edges of a mesh have the lengths wanted.
+/// How well the edges of a mesh have the target lengths.
 struct SizeConformity {
     double share = 1; ///< of the edges: between 0.7 and 1.4 times it
     std::array<Index, 2> worst{
         -1, -1};                ///< ends of the edge whose length is the farthest from it, by its logarithm
-    double relative_length = 1; ///< of that edge: its length over the one wanted
+    double relative_length = 1; ///< of that edge: its length over the target
 };
 
-/// The length of each edge, but those of quads, which nobody remakes, against the mean of the sizes wanted at
-/// its ends.
+/// The length of each edge, but those of quads, which are never remeshed, against the mean of the target
+/// sizes at its ends.
 /// @param sizes  n, positive
 SizeConformity edge_conformity(const Mesh& mesh, const Eigen::VectorXd& sizes);
 

@@ -2,7 +2,8 @@
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
+#include "libmorph/quality/quality.h"
 #include "libmorph/untangle/newton.h"
 #include "libmorph/untangle/patch.h"
 #include "libmorph/untangle/reinitialize.h"

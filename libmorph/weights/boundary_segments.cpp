@@ -1,6 +1,7 @@
 #include "libmorph/weights/boundary_segments.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/mesh/boundary_loops.h"
 
 #include <algorithm>
 #include <set>
@@ -15,19 +16,6 @@ BoundarySegment sorted(BoundarySegment edge)
     if (edge[1] < edge[0])
         std::swap(edge[0], edge[1]);
     return edge;
-}
-
-/// Edges of the mesh's boundary, as vertices.
-std::vector<std::array<Index, 2>> boundary_edges(const Mesh& mesh)
-{
-    std::vector<std::array<Index, 2>> edges;
-    for (const EdgeHandle e : mesh.kernel.edges())
-        if (mesh.kernel.is_boundary(e)) {
-            const HalfedgeHandle side = mesh.kernel.halfedge_handle(e, 0);
-            edges.push_back(
-                {mesh.kernel.from_vertex_handle(side).idx(), mesh.kernel.to_vertex_handle(side).idx()});
-        }
-    return edges;
 }
 
 } // namespace

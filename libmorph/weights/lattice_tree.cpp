@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace morph {
@@ -57,21 +60,21 @@ public:
 
     void build()
     {
-        tree_.nodes_.emplace_back();
-        add_spans(0, {Range{0, spans_[0].size()}, Range{0, spans_[1].size()}, Range{0, spans_[2].size()}});
-        const int deepest = lattice_.dimension() == 2 ? kDeepestInPlane : kDeepestInSpace;
-        for (int depth = 0; !tasks_.empty(); ++depth)
-            cut_level(depth < deepest);
-        enclose_children();
+        add_spans({Range{0, spans_[0].size()}, Range{0, spans_[1].size()}, Range{0, spans_[2].size()}});
+        for (int halvings = deepest(); !tasks_.empty(); --halvings)
+            cut_level(halvings);
+        sort_parts();
+        tree_.tree_ = BoxTree(tree_.boxes_, 1, 0);
         name_folds();
     }
 
 private:
     using Range = std::pair<std::size_t, std::size_t>; ///< first and behind the last of some spans
 
-    /// A part to look at, and the node it will be.
+    /// A part to look at. The finest parts that spans can be cut into are numbered so that those of a larger
+    /// part follow each other: this is the number of its first one.
     struct Task {
-        Index node = 0;
+        std::uint64_t first = 0;
         std::array<int, 3> span{};
         Eigen::Vector3d low, high;
     };
@@ -89,7 +92,15 @@ private:
         std::vector<Sample> samples; ///< what tells whether it is folded
     };
 
-    void add_spans(Index node, const std::array<Range, 3>& range)
+    int deepest() const { return lattice_.dimension() == 2 ? kDeepestInPlane : kDeepestInSpace; }
+
+    /// In a part that may be halved so many times more.
+    std::uint64_t finest_parts(int halvings) const
+    {
+        return std::uint64_t{1} << (lattice_.dimension() * halvings);
+    }
+
+    void add_spans(const std::array<Range, 3>& range)
     {
         std::vector<std::array<Range, 3>> parts{range};
         for (std::size_t d = 0; d < 3; ++d) {
@@ -103,19 +114,17 @@ private:
                 parts.back()[d].first = middle;
             }
         }
-        if (parts.size() == 1) {
-            tasks_.push_back(whole_span(node, range));
-            return;
-        }
-        const Index first = make_children(node, parts.size());
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            add_spans(first + static_cast<Index>(i), parts[i]);
+        if (parts.size() == 1)
+            tasks_.push_back(whole_span(range));
+        else
+            for (const auto& part : parts)
+                add_spans(part);
     }
 
-    Task whole_span(Index node, const std::array<Range, 3>& range) const
+    Task whole_span(const std::array<Range, 3>& range) const
     {
         Task task;
-        task.node = node;
+        task.first = tasks_.size() * finest_parts(deepest());
         for (std::size_t d = 0; d < 3; ++d) {
             task.span[d] = spans_[d][range[d].first];
             const auto knot = lattice_.axis(static_cast<int>(d)).knots().begin() + task.span[d];
@@ -125,7 +134,7 @@ private:
         return task;
     }
 
-    void cut_level(bool may_cut)
+    void cut_level(int halvings)
     {
         std::vector<Found> found(tasks_.size());
         parallel_for(tasks_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
@@ -135,13 +144,13 @@ private:
         const auto unsure = static_cast<std::size_t>(
             std::count_if(found.begin(), found.end(), [](const Found& f) { return !f.part.sure; }));
         const std::size_t halves = std::size_t{1} << lattice_.dimension();
-        may_cut = may_cut && tree_.parts_.size() + unsure * halves <= kMostParts;
+        const bool may_cut = halvings > 0 && tree_.parts_.size() + unsure * halves <= kMostParts;
         std::vector<Task> finer;
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             if (may_cut && !found[i].part.sure)
-                add_halves(tasks_[i], halves, finer);
+                add_halves(tasks_[i], halves, finest_parts(halvings - 1), finer);
             else
-                add_part(tasks_[i].node, std::move(found[i]));
+                add_part(tasks_[i].first, std::move(found[i]));
         }
         tasks_ = std::move(finer);
     }
@@ -174,46 +183,44 @@ private:
         }
     }
 
-    void add_halves(const Task& whole, std::size_t count, std::vector<Task>& finer)
+    void add_halves(const Task& whole, std::size_t count, std::uint64_t step, std::vector<Task>& finer)
     {
-        const Index first = make_children(whole.node, count);
         for (std::size_t half = 0; half < count; ++half) {
             Task task = whole;
-            task.node = first + static_cast<Index>(half);
+            task.first = whole.first + half * step;
             for (int d = 0; d < lattice_.dimension(); ++d)
                 ((half >> d) % 2 == 0 ? task.high : task.low)[d] = 0.5 * (whole.low[d] + whole.high[d]);
             finer.push_back(task);
         }
     }
 
-    void add_part(Index node, Found found)
+    void add_part(std::uint64_t first, Found found)
     {
         found.box.min().array() -= tree_.margin_;
         found.box.max().array() += tree_.margin_;
         volume_ += (found.part.high - found.part.low).prod() * found.determinant;
-        Node& leaf = tree_.nodes_[static_cast<std::size_t>(node)];
-        leaf.box = found.box;
-        leaf.first = static_cast<Index>(tree_.parts_.size());
+        first_.push_back(first);
         tree_.parts_.push_back(found.part);
         tree_.boxes_.push_back(found.box);
         samples_.insert(samples_.end(), found.samples.begin(), found.samples.end());
     }
 
-    Index make_children(Index node, std::size_t count)
+    /// Those of a larger part one after another, so that boxes around runs of them are small.
+    void sort_parts()
     {
-        const auto first = static_cast<Index>(tree_.nodes_.size());
-        tree_.nodes_.resize(tree_.nodes_.size() + count);
-        tree_.nodes_[static_cast<std::size_t>(node)].first = first;
-        tree_.nodes_[static_cast<std::size_t>(node)].children = static_cast<Index>(count);
-        return first;
-    }
-
-    /// Children come behind their parents.
-    void enclose_children()
-    {
-        for (auto node = tree_.nodes_.rbegin(); node != tree_.nodes_.rend(); ++node)
-            for (Index child = 0; child < node->children; ++child)
-                node->box.extend(tree_.nodes_[static_cast<std::size_t>(node->first + child)].box);
+        std::vector<std::size_t> order(first_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return first_[a] < first_[b]; });
+        const auto sorted = [&](const auto& items) {
+            std::decay_t<decltype(items)> result;
+            result.reserve(items.size());
+            for (const std::size_t i : order)
+                result.push_back(items[i]);
+            return result;
+        };
+        tree_.parts_ = sorted(tree_.parts_);
+        tree_.boxes_ = sorted(tree_.boxes_);
     }
 
     void name_folds()
@@ -235,6 +242,7 @@ private:
     const Lattice& lattice_;
     std::array<std::vector<int>, 3> spans_; ///< along i, j, k
     std::vector<Task> tasks_;               ///< of the level that is next
+    std::vector<std::uint64_t> first_;      ///< Task::first of the parts so far
     std::vector<Sample> samples_;
     double volume_ = 0; ///< of the image, to a sign
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/basis/lattice.h"
+#include "libmorph/geometry/box_tree.h"
 
 #include <Eigen/Geometry>
 
@@ -59,37 +60,17 @@ public:
     template <typename TryPart>
     bool find(const Eigen::Vector3d& x, const TryPart& try_part) const
     {
-        return find_below(0, x, try_part);
+        return tree_.find(x, try_part);
     }
 
 private:
     class Builder;
 
-    struct Node {
-        Eigen::AlignedBox3d box;
-        Index first = 0;    ///< child; of a leaf: its part
-        Index children = 0; ///< 0: a leaf
-    };
-
-    template <typename TryPart>
-    bool find_below(Index at, const Eigen::Vector3d& x, const TryPart& try_part) const
-    {
-        const Node& node = nodes_[static_cast<std::size_t>(at)];
-        if (!node.box.contains(x))
-            return false;
-        if (node.children == 0)
-            return try_part(node.first);
-        for (Index child = 0; child < node.children; ++child)
-            if (find_below(node.first + child, x, try_part))
-                return true;
-        return false;
-    }
-
     Lattice lattice_;
     double margin_ = 0;
-    std::vector<Node> nodes_;
-    std::vector<Part> parts_;
-    std::vector<Eigen::AlignedBox3d> boxes_; ///< of the parts
+    std::vector<Part> parts_;         ///< those of a halved part one after another
+    std::vector<BoxTree::Box> boxes_; ///< of the parts
+    BoxTree tree_;
     std::vector<FoldedCell> folded_;
 };
 

@@ -1,4 +1,4 @@
-"""How far meshes can be moved: every row of docs/large_moves.md, made with the tools alone.
+"""How far meshes can be moved: every row of large_moves.md and of docs/large_moves.md, made with the tools alone.
 
     python3 tests/bench/large_moves.py [BIN]                 (default: build/bin) the tables
     python3 tests/bench/large_moves.py [BIN] --random N      N random moves of each mesh

@@ -19,7 +19,7 @@ void BM_LocateAndInterpolate(benchmark::State& state)
     std::size_t peak = 0;
     for (auto _ : state) {
         const PeakMemory memory;
-        const Locations found = Locator(source).locate(targets);
+        const ContainingElements found = Locator(source).locate(targets);
         benchmark::DoNotOptimize(interpolate(source, found, targets, fields, QuadRule::bilinear));
         peak = memory.bytes();
     }
@@ -40,7 +40,7 @@ void BM_BuildLocateAndInterpolate(benchmark::State& state)
         state.ResumeTiming();
         const Mesh source = build_mesh(std::move(copy));
         const std::vector<const Field*> fields{&source.fields[0], &source.fields[1]};
-        const Locations found = Locator(source).locate(targets);
+        const ContainingElements found = Locator(source).locate(targets);
         benchmark::DoNotOptimize(interpolate(source, found, targets, fields, QuadRule::bilinear));
     }
 }

@@ -4,6 +4,7 @@
 
 #include "libmorph/geometry/mesh_domain.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/quality.h"
 #include "libmorph/weights/harmonic.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/peak_memory.h"

@@ -1,5 +1,5 @@
-#include "formats/child_process.h"
-#include "formats/memory_file.h"
+#include "formats/binary/memory_file.h"
+#include "formats/process/child_process.h"
 #include "libmorph/core/error.h"
 
 #include <gmock/gmock.h>

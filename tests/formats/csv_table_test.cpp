@@ -1,4 +1,4 @@
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "libmorph/core/error.h"
 
 #include <gmock/gmock.h>

@@ -182,7 +182,7 @@ TEST(FieldFile, SurvivesMutatedFiles)
          {std::pair<std::string, std::string>{
               "csv", "PointID,x,y,T\n4,2,.5,14\n3,0,1,13\n2,1,1,12\n1,1,0,11\n0,0,0,1\n"},
           {"csv", kTable},
-          {"tuc", "2\n1 10 11 12 13\n2 11 14 12 0\n"},
+          {"thesis", "2\n1 10 11 12 13\n2 11 14 12 0\n"},
           {"vtu", test::written(with_fields(mesh, "fields.csv", kTable), "vtu", {.binary = false})}}) {
         const auto read = [&, name = format](const InputBytes& file) {
             MeshData with_file = mesh;

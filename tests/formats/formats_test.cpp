@@ -46,6 +46,12 @@ TEST(Formats, CaseOfNameAndExtensionDoesNotMatter)
     EXPECT_EQ(find_format("wing", "SU2").name, "su2");
 }
 
+TEST(Formats, AnOldNameIsStillUnderstood)
+{
+    EXPECT_EQ(find_format("nodes.txt", "tuc").name, "thesis");
+    EXPECT_EQ(find_format("nodes.txt", "TUC").name, "thesis");
+}
+
 TEST(Formats, AnUnknownExtensionIsRefusedWithTheKnownOnes)
 {
     for (const std::string path : {"wing.step", "wing", "wing.", ".su2", "folder.su2/wing"})

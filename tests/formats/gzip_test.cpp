@@ -1,4 +1,4 @@
-#include "formats/gzip.h"
+#include "formats/binary/gzip.h"
 
 #include "formats/formats.h"
 #include "tests/support/errors.h"

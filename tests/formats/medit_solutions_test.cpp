@@ -1,5 +1,5 @@
 #include "formats/formats.h"
-#include "formats/medit_solutions.h"
+#include "formats/medit/solutions.h"
 #include "libmorph/core/error.h"
 #include "tests/support/format_cases.h"
 #include "tests/support/mesh_data_compare.h"

@@ -1,4 +1,4 @@
-#include "formats/mesh_bytes.h"
+#include "formats/binary/mesh_bytes.h"
 #include "libmorph/core/error.h"
 #include "tests/support/format_cases.h"
 #include "tests/support/mesh_data_compare.h"

@@ -1,6 +1,6 @@
 // Nastran bulk data, by the MSC Nastran Quick Reference Guide.
 #include "formats/formats.h"
-#include "formats/nastran_write.h"
+#include "formats/nastran/write.h"
 #include "tests/support/format_cases.h"
 #include "tests/support/mesh_data_compare.h"
 #include "tests/support/meshes.h"

@@ -1,5 +1,5 @@
-#include "formats/number_text.h"
 #include "formats/output_file.h"
+#include "formats/text/number_text.h"
 #include "libmorph/core/error.h"
 #include "tests/support/errors.h"
 #include "tests/support/process.h"

@@ -256,7 +256,7 @@ void expect_trip(const MeshData& mesh, const Format& format, MeshData& back)
     MeshData expected = held(mesh, format);
     const std::vector<std::string> warnings = write_mesh_data(mesh, file_for(folder, format));
     back = read_mesh_data(file_for(folder, format));
-    if (format.name == "tuc")
+    if (format.name == "thesis")
         read_companion_fields(back, folder, expected.fields);
     expect_named(mesh, back, warnings);
     keep_named_parts(expected, back);

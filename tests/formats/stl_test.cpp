@@ -87,7 +87,7 @@ TEST(Stl, SaysWhichGroupsAreLost)
 TEST(Stl, JoinsNothingButEqualCornersHoweverManyThereAre)
 {
     // 40,000 distinct points, where a closed surface of as many triangles has 10,000: the table of the
-    // joiner has to grow.
+    // welder has to grow.
     MeshData mesh;
     const Index pairs = 10000;
     mesh.points.resize(4 * pairs, 3);

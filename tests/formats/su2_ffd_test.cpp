@@ -1,4 +1,4 @@
-#include "formats/su2_ffd.h"
+#include "formats/su2/ffd.h"
 
 #include "formats/formats.h"
 #include "tests/support/errors.h"

@@ -363,8 +363,7 @@ TEST(Su2, SurvivesTwoThousandMutations)
 {
     std::vector<std::string> seeds{kSquare};
     for (const std::string name : {"carried", "hybrid_crlf", "shuffled_ids", "surface", "triangles"})
-        seeds.push_back(
-            test::read_text(std::string(MORPH_SOURCE) + "/tests/fuzz/corpus/su2/" + name + ".su2"));
+        seeds.push_back(test::read_text(test::source_path("tests/fuzz/corpus/su2/") + name + ".su2"));
     test::survive_mutations("su2", seeds, 2000);
 }
 

@@ -1,4 +1,4 @@
-#include "formats/text_scanner.h"
+#include "formats/text/text_scanner.h"
 #include "libmorph/core/error.h"
 #include "tests/support/errors.h"
 

@@ -1,5 +1,5 @@
 #include "formats/formats.h"
-#include "formats/ugrid_names.h"
+#include "formats/ugrid/names.h"
 #include "libmorph/core/error.h"
 #include "tests/support/format_cases.h"
 #include "tests/support/mesh_data_compare.h"

@@ -1,5 +1,5 @@
 // Any bytes become a table of finite numbers, or an InputError.
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "libmorph/core/error.h"
 
 #include <cstddef>

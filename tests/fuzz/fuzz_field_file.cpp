@@ -1,7 +1,7 @@
 // Any bytes become fields of a small mesh, agree with its neighbours, or are an InputError: taken for a
 // table, for the thesis's function values and neighbours, and for a mesh file.
 #include "formats/field_file.h"
-#include "formats/tuc_files.h"
+#include "formats/thesis/files.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
 
@@ -41,13 +41,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     static const MeshData mesh = small_mesh();
     static const Mesh built = build_mesh(mesh);
     const InputBytes file{"fuzz", {reinterpret_cast<const char*>(bytes), size}};
-    for (const char* format : {"csv", "tuc", "vtu"})
+    for (const char* format : {"csv", "thesis", "vtu"})
         try {
             expect_fields_of(mesh, parse_fields(file, mesh, format).fields);
         } catch (const InputError&) { // what broken files deserve
         }
     try {
-        check_tuc_neighbors(file, built);
+        check_thesis_neighbors(file, built);
     } catch (const InputError&) { // as above
     }
     return 0;

@@ -1,5 +1,5 @@
 // Any bytes become fields of a small mesh, or an InputError.
-#include "formats/medit_solutions.h"
+#include "formats/medit/solutions.h"
 #include "libmorph/core/error.h"
 
 #include <cstddef>

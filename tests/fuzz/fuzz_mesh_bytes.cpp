@@ -1,5 +1,5 @@
 // Any bytes become a sound mesh, or an InputError: what a child process left that read a damaged file.
-#include "formats/mesh_bytes.h"
+#include "formats/binary/mesh_bytes.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>

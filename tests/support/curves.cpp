@@ -1,6 +1,6 @@
 #include "tests/support/curves.h"
 
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "tests/support/meshes.h"
 
 #include <algorithm>

@@ -126,16 +126,6 @@ MeshData touching_squares(Index cells)
     return data;
 }
 
-std::string data_path(const std::string& name)
-{
-    return std::string(MORPH_TEST_DATA) + "/" + name;
-}
-
-std::string example_path(const std::string& name)
-{
-    return std::string(MORPH_SOURCE) + "/examples/" + name;
-}
-
 std::vector<std::string> real_meshes()
 {
     std::vector<std::string> paths;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libmorph/mesh/mesh_data.h"
+#include "tests/support/paths.h"
 
 #include <string>
 #include <vector>
@@ -25,12 +26,6 @@ MeshData uneven_annulus(double inner, double outer, Index around);
 /// Two uneven squares that touch in the corner (1, 1), which the builder splits; the markers of the second
 /// are called "bottom 2", "right 2", "top 2" and "left 2".
 MeshData touching_squares(Index cells);
-
-/// Absolute path of a file in tests/data.
-std::string data_path(const std::string& name);
-
-/// Absolute path of a file in examples.
-std::string example_path(const std::string& name);
 
 /// The real meshes in tests/data/meshes, as absolute paths.
 std::vector<std::string> real_meshes();

@@ -1,5 +1,7 @@
 #include "tests/support/process.h"
 
+#include "tests/support/paths.h"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -55,7 +57,7 @@ int wait_for(pid_t child, int seconds)
 ProcessResult run_tool(const std::string& tool, const std::vector<std::string>& arguments, int seconds)
 {
     const TemporaryFolder folder;
-    const std::string program = std::string(MORPH_BIN) + "/" + tool;
+    const std::string program = tool_path(tool);
     const pid_t child = fork();
     if (child < 0)
         throw std::runtime_error("fork failed");

@@ -1,5 +1,5 @@
 // Direct control of morph-deform: [[pull]] and --gradient.
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "formats/formats.h"
 #include "tests/support/cases.h"
 #include "tests/support/meshes.h"

@@ -1,4 +1,4 @@
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "formats/formats.h"
 #include "libmorph/quality/quality.h"
 #include "tests/support/meshes.h"

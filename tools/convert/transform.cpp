@@ -1,6 +1,6 @@
 #include "tools/convert/transform.h"
 
-#include "formats/surface.h"
+#include "formats/text/surface_text.h"
 #include "tools/common/run.h"
 
 #include <charconv>

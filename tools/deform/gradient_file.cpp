@@ -1,7 +1,7 @@
 #include "tools/deform/gradient_file.h"
 
-#include "formats/csv_table.h"
-#include "formats/number_text.h"
+#include "formats/csv/table.h"
+#include "formats/text/number_text.h"
 #include "libmorph/core/error.h"
 
 namespace morph::tools {

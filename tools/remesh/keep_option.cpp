@@ -1,20 +1,20 @@
 #include "tools/remesh/keep_option.h"
 
 #include "libmorph/remesh/near_marker.h"
+#include "tools/common/command_line.h"
 #include "tools/common/run.h"
 
 #include <cmath>
 
 namespace morph::tools {
 
-void add_keep_option(CLI::App& app, std::vector<std::string>& texts)
+void add_keep_option(CommandLine& line, std::vector<std::string>& texts)
 {
-    app.add_option(
-           "--keep", texts,
-           "What stays as it is and keeps its numbers: quads (they always do), or MARKER:DISTANCE, the\n"
-           "elements with a vertex within that distance of the marker; may be given several times")
-        ->allow_extra_args(false)
-        ->type_name("WHAT");
+    line.add("--keep", texts,
+             "What stays as it is and keeps its numbers: quads (they always do), or MARKER:DISTANCE, the\n"
+             "elements with a vertex within that distance of the marker; may be given several times")
+        .one_value_each_time()
+        .type_name("WHAT");
 }
 
 std::vector<KeptZone> kept_zones(const std::vector<std::string>& texts)
@@ -24,14 +24,12 @@ std::vector<KeptZone> kept_zones(const std::vector<std::string>& texts)
         if (text == "quads")
             continue;
         const std::size_t colon = text.rfind(':'); // names of markers may have some too
-        double distance = -1;
-        if (colon == std::string::npos || colon == 0 ||
-            !CLI::detail::lexical_cast(text.substr(colon + 1), distance) || !(distance >= 0) ||
-            !std::isfinite(distance))
+        const auto distance = number_in(colon == std::string::npos ? "" : text.substr(colon + 1));
+        if (colon == 0 || !distance || !(*distance >= 0) || !std::isfinite(*distance))
             throw UsageError(
                 "--keep needs 'quads', or a marker and a distance of 0 or more as in wall:0.1, not '" + text +
                 "'");
-        zones.push_back({text.substr(0, colon), distance});
+        zones.push_back({text.substr(0, colon), *distance});
     }
     return zones;
 }

@@ -2,12 +2,12 @@
 
 #include "libmorph/mesh/mesh.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
 
 namespace morph::tools {
+
+class CommandLine;
 
 /// Elements near a marker, to be kept as they are.
 struct KeptZone {
@@ -16,7 +16,7 @@ struct KeptZone {
 };
 
 /// --keep, which may be given several times.
-void add_keep_option(CLI::App& app, std::vector<std::string>& texts);
+void add_keep_option(CommandLine& line, std::vector<std::string>& texts);
 
 /// The zones that the texts of --keep name; "quads", which are kept anyway, is none.
 /// @throws UsageError  a text that is not "quads" or MARKER:DISTANCE with a distance of 0 or more

@@ -4,6 +4,7 @@
 #include "libmorph/core/names.h"
 #include "libmorph/remesh/chord_size.h"
 #include "libmorph/remesh/target_size.h"
+#include "tools/common/command_line.h"
 
 #include <Eigen/Geometry>
 
@@ -14,16 +15,6 @@
 namespace morph::tools {
 
 namespace {
-
-/// CLI11's own checks are for ranges with their ends.
-const CLI::Validator kAboveOne(
-    [](const std::string& text) {
-        double value = 0;
-        return CLI::detail::lexical_cast(text, value) && value > 1 && std::isfinite(value)
-                   ? std::string()
-                   : "'" + text + "' is not a number above 1";
-    },
-    "FLOAT above 1");
 
 const Field& nodal_field(const Mesh& mesh, const std::string& name, const std::string& input)
 {
@@ -117,41 +108,37 @@ double gradation_of(const SizeOptions& options)
 
 } // namespace
 
-void add_size_options(CLI::App& app, SizeOptions& options)
+void add_size_options(CommandLine& line, SizeOptions& options)
 {
-    CLI::Option* size =
-        app.add_option("--size", options.size,
-                       "Edge length wanted everywhere; with --curvature or --adapt the largest")
-            ->check(CLI::PositiveNumber)
-            ->type_name("H");
-    CLI::Option* field =
-        app.add_option("--size-field", options.size_field,
-                       "Nodal field of IN with the edge lengths wanted (default: those IN has)")
-            ->excludes(size)
-            ->type_name("NAME");
-    CLI::Option* curvature =
-        app.add_option("--curvature", options.curvature,
-                       "Chord error of edges along boundary curves or on a surface, in lengths of the mesh:\n"
-                       "edges of sqrt(8 E r) at radius r, at most --size, the field, or a tenth of the\n"
-                       "bounding box's diagonal")
-            ->check(CLI::PositiveNumber)
-            ->type_name("E");
-    app.add_option("--adapt", options.adapt,
-                   "Nodal field of IN: the sizes that make its interpolation error least in the mean (L2)\n"
-                   "for --vertices (default: as many as IN has)")
-        ->excludes(field)
-        ->excludes(curvature)
-        ->type_name("NAME");
-    app.add_option("--scale", options.scale, "Factor on the edge lengths wanted")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    app.add_option("--vertices", options.vertices, "Scale them further, to about this many vertices")
-        ->check(CLI::Range(3, 100000000))
-        ->type_name("N");
-    app.add_option("--gradation", options.gradation,
-                   "Edges that follow each other differ in length by at most this factor (default: 1.2 with\n"
-                   "--size-field, --curvature or --adapt, else as they do in IN)")
-        ->check(kAboveOne);
+    const Option size = line.add("--size", options.size,
+                                 "Edge length wanted everywhere; with --curvature or --adapt the largest")
+                            .positive()
+                            .type_name("H");
+    const Option field = line.add("--size-field", options.size_field,
+                                  "Nodal field of IN with the edge lengths wanted (default: those IN has)")
+                             .excludes(size)
+                             .type_name("NAME");
+    const Option curvature =
+        line.add("--curvature", options.curvature,
+                 "Chord error of edges along boundary curves or on a surface, in lengths of the mesh:\n"
+                 "edges of sqrt(8 E r) at radius r, at most --size, the field, or a tenth of the\n"
+                 "bounding box's diagonal")
+            .positive()
+            .type_name("E");
+    line.add("--adapt", options.adapt,
+             "Nodal field of IN: the sizes that make its interpolation error least in the mean (L2)\n"
+             "for --vertices (default: as many as IN has)")
+        .excludes(field)
+        .excludes(curvature)
+        .type_name("NAME");
+    line.add("--scale", options.scale, "Factor on the edge lengths wanted").show_default().positive();
+    line.add("--vertices", options.vertices, "Scale them further, to about this many vertices")
+        .range(3, 100000000)
+        .type_name("N");
+    line.add("--gradation", options.gradation,
+             "Edges that follow each other differ in length by at most this factor (default: 1.2 with\n"
+             "--size-field, --curvature or --adapt, else as they do in IN)")
+        .above(1);
 }
 
 Index wanted_vertices(const Mesh& mesh, const SizeOptions& options)

@@ -3,11 +3,11 @@
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/remesh/features.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 
 namespace morph::tools {
+
+class CommandLine;
 
 /// Where the edge lengths wanted come from: options of the command line.
 struct SizeOptions {
@@ -20,7 +20,7 @@ struct SizeOptions {
     double gradation = 0;
 };
 
-void add_size_options(CLI::App& app, SizeOptions& options);
+void add_size_options(CommandLine& line, SizeOptions& options);
 
 /// How many vertices the new mesh is to have; 0: as many as come.
 Index wanted_vertices(const Mesh& mesh, const SizeOptions& options);

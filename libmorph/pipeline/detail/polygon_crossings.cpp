@@ -14,17 +14,14 @@ namespace {
 using Edge = std::array<Index, 2>;
 
 /// Edges of the boundary, the copies of a split vertex taken as one.
-std::vector<Edge> boundary_edges(const Mesh& mesh)
+std::vector<Edge> joined_boundary_edges(const Mesh& mesh)
 {
     const std::vector<Index> first = representatives(mesh.numbering);
-    std::vector<Edge> edges;
-    for (const auto edge : mesh.kernel.edges()) {
-        if (!mesh.kernel.is_boundary(edge))
-            continue;
-        const auto half = mesh.kernel.halfedge_handle(edge, 0);
-        const auto from = static_cast<std::size_t>(mesh.kernel.from_vertex_handle(half).idx());
-        const auto to = static_cast<std::size_t>(mesh.kernel.to_vertex_handle(half).idx());
-        edges.push_back({std::min(first[from], first[to]), std::max(first[from], first[to])});
+    std::vector<Edge> edges = boundary_edges(mesh);
+    for (Edge& edge : edges) {
+        const auto [a, b] =
+            std::minmax(first[static_cast<std::size_t>(edge[0])], first[static_cast<std::size_t>(edge[1])]);
+        edge = {a, b};
     }
     std::sort(edges.begin(), edges.end());
     return edges;
@@ -63,7 +60,7 @@ std::vector<std::string> misplaced_loops(const Mesh& mesh, const PositionsView& 
 std::vector<std::string> polygon_crossings(const Mesh& mesh, const PositionsView& before,
                                            const PositionsView& after)
 {
-    const std::vector<Edge> edges = boundary_edges(mesh);
+    const std::vector<Edge> edges = joined_boundary_edges(mesh);
     const auto crossing = find_edge_crossing(after, edges);
     if (!crossing)
         return misplaced_loops(mesh, before, after);

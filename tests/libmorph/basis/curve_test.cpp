@@ -1,6 +1,6 @@
 #include "libmorph/basis/curve.h"
 
-#include "formats/csv_table.h"
+#include "formats/csv/table.h"
 #include "libmorph/core/error.h"
 #include "tests/support/curves.h"
 #include "tests/support/meshes.h"

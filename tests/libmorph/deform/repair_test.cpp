@@ -1,6 +1,7 @@
 #include "libmorph/deform/repair.h"
 
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/quality.h"
 #include "tests/support/boundary_moves.h"
 #include "tests/support/meshes.h"
 

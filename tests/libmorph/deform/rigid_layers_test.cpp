@@ -1,7 +1,6 @@
 #include "libmorph/deform/rigid_layers.h"
 
 #include "libmorph/mesh/builder.h"
-#include "libmorph/quality/quality.h"
 #include "libmorph/weights/harmonic.h"
 #include "tests/support/boundary_moves.h"
 #include "tests/support/errors.h"

@@ -2,7 +2,6 @@
 
 #include "libmorph/mesh/builder.h"
 #include "libmorph/mesh/chain.h"
-#include "libmorph/quality/quality.h"
 #include "libmorph/weights/harmonic.h"
 #include "tests/support/boundary_moves.h"
 #include "tests/support/errors.h"

@@ -1,7 +1,7 @@
 #include "libmorph/geometry/delaunay.h"
 
 #include "formats/formats.h"
-#include "libmorph/geometry/predicates.h"
+#include "libmorph/core/predicates.h"
 #include "libmorph/mesh/builder.h"
 #include "tests/support/meshes.h"
 

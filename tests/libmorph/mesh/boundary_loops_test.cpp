@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace {
 
@@ -60,6 +62,22 @@ TEST(BoundaryLoops, GoOverEachBoundaryEdgeOnce)
             }
         }
         EXPECT_EQ(corners, edges);
+    }
+}
+
+TEST(BoundaryEdges, AreThoseOfTheLoopsOnceEach)
+{
+    for (const MeshData& data : {test::uneven_annulus(0.5, 3, 30), test::touching_squares(4)}) {
+        const Mesh mesh = build_mesh(data);
+        std::set<std::pair<Index, Index>> of_loops, found;
+        for (const auto& loop : boundary_loops(mesh))
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                of_loops.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+        const auto edges = boundary_edges(mesh);
+        for (const auto& [a, b] : edges)
+            found.insert(std::minmax(a, b));
+        EXPECT_EQ(found, of_loops);
+        EXPECT_EQ(edges.size(), of_loops.size());
     }
 }
 

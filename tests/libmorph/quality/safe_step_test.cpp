@@ -3,6 +3,7 @@
 #include "formats/formats.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/quality.h"
 #include "tests/support/errors.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/meshes.h"

@@ -137,7 +137,7 @@ TEST(Interpolate, ConvergesAtSecondOrderForSmoothFunctions)
         std::vector<double> errors;
         for (const Index cells : {16, 32, 64, 128}) {
             const Mesh mesh = build_mesh(quads ? test::quad_square(cells) : test::uneven_square(cells));
-            const Locations found = Locator(mesh).locate(targets);
+            const ContainingElements found = Locator(mesh).locate(targets);
             const Matrix values = carried(mesh, nodal_field(mesh, smooth), targets);
             double worst = 0;
             for (Index i = 0; i < targets.rows(); ++i)

@@ -110,9 +110,9 @@ TEST(Locator, GivesTheSameAnswerForAnyThreadCountAndAnyOrderOfTheFile)
     const Points targets = test::random_targets(data, 20000, random);
     const Mesh mesh = build_mesh(data);
     set_thread_count(1);
-    const Locations one = Locator(mesh).locate(targets);
+    const ContainingElements one = Locator(mesh).locate(targets);
     set_thread_count(5);
-    const Locations five = Locator(mesh).locate(targets);
+    const ContainingElements five = Locator(mesh).locate(targets);
     set_thread_count(0);
     EXPECT_EQ(one.face, five.face);
     EXPECT_EQ(one.order, five.order);

@@ -228,10 +228,10 @@ TEST(Remapper, ProjectsOnSurfacesAtSecondOrderAndTellsTheDistance)
         Remapper remapper(locator, target);
         const Matrix values = remapper.carry(fields)[0].values;
         errors.push_back((values - points(target).col(2)).cwiseAbs().maxCoeff());
-        const TargetLocations& sites = remapper.sites(FieldLocation::vertex);
-        EXPECT_TRUE(sites.outside.empty());
+        const TargetLocations& targets = remapper.locations(FieldLocation::vertex);
+        EXPECT_TRUE(targets.outside.empty());
         const double sagitta = 1 - std::cos(std::numbers::pi / rings / 2);
-        const double farthest = *std::max_element(sites.distance.begin(), sites.distance.end());
+        const double farthest = *std::max_element(targets.distance.begin(), targets.distance.end());
         EXPECT_GT(farthest, sagitta / 2);
         EXPECT_LT(farthest, 2.5 * sagitta); // of quads: the sagitta of their diagonal
     }
@@ -255,8 +255,8 @@ TEST(Remapper, OnAnOpenSurfaceCountsWhatLiesBeyondTheRimAsOutside)
     const Matrix values = to_mesh_data(result).fields[0].values;
     EXPECT_NEAR(values(0, 0), linear(0.55, 0.5), 1e-14);
     EXPECT_NEAR(values(1, 0), linear(1, 0.5), 1e-14);
-    ASSERT_EQ(remapper.sites(FieldLocation::vertex).outside.size(), 1U);
-    EXPECT_NEAR(remapper.sites(FieldLocation::vertex).outside_feet[0].distance, std::sqrt(0.5), 1e-14);
+    ASSERT_EQ(remapper.locations(FieldLocation::vertex).outside.size(), 1U);
+    EXPECT_NEAR(remapper.locations(FieldLocation::vertex).outside_feet[0].distance, std::sqrt(0.5), 1e-14);
 }
 
 TEST(Remapper, SaysWhatCannotBeCarried)

@@ -31,78 +31,78 @@ CornerTable grid(Index n)
     return {vertices, triangles};
 }
 
-/// Every link of the net against every other.
-void expect_sound(const CornerTable& net)
+/// Every link of the corner table against every other.
+void expect_sound(const CornerTable& table)
 {
     std::set<std::array<Index, 2>> sides;
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h) {
-        if (!net.alive(h / 3))
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h) {
+        if (!table.alive(h / 3))
             continue;
-        EXPECT_TRUE(sides.insert({net.from[at(h)], net.to(h)}).second);
-        const Index g = net.twin[at(h)];
+        EXPECT_TRUE(sides.insert({table.from[at(h)], table.to(h)}).second);
+        const Index g = table.twin[at(h)];
         if (g < 0)
             continue;
-        EXPECT_EQ(net.twin[at(g)], h);
-        EXPECT_EQ(net.from[at(g)], net.to(h));
-        EXPECT_EQ(net.to(g), net.from[at(h)]);
+        EXPECT_EQ(table.twin[at(g)], h);
+        EXPECT_EQ(table.from[at(g)], table.to(h));
+        EXPECT_EQ(table.to(g), table.from[at(h)]);
     }
-    std::vector<int> uses(net.vertices.size(), 0), around(net.vertices.size(), 0);
-    for (Index h = 0; h < static_cast<Index>(net.from.size()); ++h)
-        if (net.alive(h / 3))
-            ++uses[at(net.from[at(h)])];
-    for (std::size_t v = 0; v < net.vertices.size(); ++v) {
-        if (net.vertices[v].out < 0)
+    std::vector<int> uses(table.vertices.size(), 0), around(table.vertices.size(), 0);
+    for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h)
+        if (table.alive(h / 3))
+            ++uses[at(table.from[at(h)])];
+    for (std::size_t v = 0; v < table.vertices.size(); ++v) {
+        if (table.vertices[v].out < 0)
             continue;
-        net.around(static_cast<Index>(v), [&](Index h) {
-            EXPECT_EQ(net.from[at(h)], static_cast<Index>(v));
+        table.around(static_cast<Index>(v), [&](Index h) {
+            EXPECT_EQ(table.from[at(h)], static_cast<Index>(v));
             ++around[v];
         });
     }
     EXPECT_EQ(around, uses); // a circulation passes all triangles of its vertex: it starts at the border
 }
 
-Index count_alive(const CornerTable& net)
+Index count_alive(const CornerTable& table)
 {
     Index count = 0;
-    for (Index t = 0; t < net.triangle_slots(); ++t)
-        count += net.alive(t) ? 1 : 0;
+    for (Index t = 0; t < table.triangle_slots(); ++t)
+        count += table.alive(t) ? 1 : 0;
     return count;
 }
 
 TEST(CornerTable, SplittingAnInnerEdgeAddsTwoTrianglesAndABorderEdgeOne)
 {
-    CornerTable net = grid(1);
+    CornerTable table = grid(1);
     Index inner = 0, border = 0;
     for (Index h = 0; h < 6; ++h)
-        (net.twin[at(h)] >= 0 ? inner : border) = h;
-    net.split(inner, {});
-    EXPECT_EQ(count_alive(net), 4);
-    net.split(border, {});
-    EXPECT_EQ(count_alive(net), 5);
-    expect_sound(net);
+        (table.twin[at(h)] >= 0 ? inner : border) = h;
+    table.split(inner, {});
+    EXPECT_EQ(count_alive(table), 4);
+    table.split(border, {});
+    EXPECT_EQ(count_alive(table), 5);
+    expect_sound(table);
 }
 
 TEST(CornerTable, StaysSoundUnderRandomOperations)
 {
-    CornerTable net = grid(6);
+    CornerTable table = grid(6);
     std::mt19937 random(7);
     int collapses = 0;
     for (int i = 0; i < 3000; ++i) {
-        const auto h = static_cast<Index>(random() % net.from.size());
-        if (!net.alive(h / 3))
+        const auto h = static_cast<Index>(random() % table.from.size());
+        if (!table.alive(h / 3))
             continue;
-        const Index g = net.twin[at(h)];
+        const Index g = table.twin[at(h)];
         switch (random() % 3) {
         case 0:
-            net.split(h, {});
+            table.split(h, {});
             break;
         case 1: {
-            // Two border vertices whose edge is none would pinch the net.
-            const bool bridge = g >= 0 && net.at_border(net.from[at(h)]) && net.at_border(net.to(h));
-            if (!bridge && net.collapsible(h)) {
-                const Index keep = random() % 2 == 0 || g >= 0 ? net.to(h) : net.from[at(h)];
-                if (g < 0 || !net.at_border(net.from[at(h)])) {
-                    net.collapse(h, keep);
+            // Two border vertices whose edge is none would pinch the corner table.
+            const bool bridge = g >= 0 && table.at_border(table.from[at(h)]) && table.at_border(table.to(h));
+            if (!bridge && table.collapsible(h)) {
+                const Index keep = random() % 2 == 0 || g >= 0 ? table.to(h) : table.from[at(h)];
+                if (g < 0 || !table.at_border(table.from[at(h)])) {
+                    table.collapse(h, keep);
                     ++collapses;
                 }
             }
@@ -112,40 +112,40 @@ TEST(CornerTable, StaysSoundUnderRandomOperations)
             std::vector<Index> near;
             if (g < 0)
                 break;
-            net.neighbours(net.apex(h), near);
-            if (std::find(near.begin(), near.end(), net.apex(g)) == near.end())
-                net.flip(h);
+            table.neighbours(table.apex(h), near);
+            if (std::find(near.begin(), near.end(), table.apex(g)) == near.end())
+                table.flip(h);
         }
         }
         if (i % 300 == 0)
-            expect_sound(net);
+            expect_sound(table);
     }
     EXPECT_GT(collapses, 100);
     std::vector<Index> order;
-    for (std::size_t v = net.vertices.size(); v-- > 0;)
+    for (std::size_t v = table.vertices.size(); v-- > 0;)
         order.push_back(static_cast<Index>(v));
-    const Index triangles = count_alive(net);
-    net.renumber(order);
-    EXPECT_EQ(net.triangle_slots(), triangles);
-    expect_sound(net);
+    const Index triangles = count_alive(table);
+    table.renumber(order);
+    EXPECT_EQ(table.triangle_slots(), triangles);
+    expect_sound(table);
 }
 
 TEST(CornerTable, CollapseMovesTheTagOfTheSideThatGoesToTheOneThatStays)
 {
-    CornerTable net = grid(2); // vertex 4 is the middle
+    CornerTable table = grid(2); // vertex 4 is the middle
     Index h = -1;
-    net.around(4, [&](Index out) { h = net.to(out) == 5 ? out : h; });
+    table.around(4, [&](Index out) { h = table.to(out) == 5 ? out : h; });
     ASSERT_GE(h, 0);
     const Index side = CornerTable::previous(h); // from the corner opposite to the vertex that goes
-    const Index beyond = net.twin[at(side)];
-    net.tag[at(side)] = 6;
-    net.tag[at(beyond)] = 7;
-    const Index top = net.apex(h);
-    net.collapse(h, 5);
+    const Index beyond = table.twin[at(side)];
+    table.tag[at(side)] = 6;
+    table.tag[at(beyond)] = 7;
+    const Index top = table.apex(h);
+    table.collapse(h, 5);
     Index found = kNoTag;
-    net.around(5, [&](Index out) { found = net.to(out) == top ? net.tag[at(out)] : found; });
+    table.around(5, [&](Index out) { found = table.to(out) == top ? table.tag[at(out)] : found; });
     EXPECT_EQ(found, 7); // it runs from the vertex to the corner
-    expect_sound(net);
+    expect_sound(table);
 }
 
 TEST(CornerTable, CollapsesAVertexOfManyTriangles)
@@ -155,19 +155,19 @@ TEST(CornerTable, CollapsesAVertexOfManyTriangles)
     std::vector<std::array<Index, 3>> triangles;
     for (Index i = 0; i < kAround; ++i)
         triangles.push_back({kAround, i, (i + 1) % kAround});
-    CornerTable net(vertices, triangles);
-    const Index h = net.vertices[at(kAround)].out;
-    net.collapse(h, net.to(h));
-    EXPECT_EQ(count_alive(net), kAround - 2);
-    expect_sound(net);
+    CornerTable table(vertices, triangles);
+    const Index h = table.vertices[at(kAround)].out;
+    table.collapse(h, table.to(h));
+    EXPECT_EQ(count_alive(table), kAround - 2);
+    expect_sound(table);
 }
 
 TEST(CornerTable, GivesEachFanOfAVertexItsOwnCopy)
 {
     std::vector<TableVertex> vertices(5);
-    const CornerTable net(vertices, {{0, 1, 2}, {0, 3, 4}});
-    EXPECT_EQ(net.vertices.size(), 6U);
-    expect_sound(net);
+    const CornerTable table(vertices, {{0, 1, 2}, {0, 3, 4}});
+    EXPECT_EQ(table.vertices.size(), 6U);
+    expect_sound(table);
 }
 
 } // namespace
