@@ -1,6 +1,6 @@
+#include "formats/case/case_file.h"
 #include "libmorph/core/error.h"
 #include "tests/support/process.h"
-#include "tools/case/case_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 namespace {
 
 using namespace morph;
-using namespace morph::tools;
 using ::testing::HasSubstr;
 
 const std::string kCase = R"([mesh]
@@ -45,15 +44,15 @@ TEST(CaseFile, IsReadWholeWithPathsRelativeToIt)
     const CaseFile file = read_case_file(folder.write("case.toml", kCase));
     EXPECT_EQ(file.mesh_file, folder.file("wing.su2"));
     EXPECT_EQ(file.output_mesh, folder.file("out/moved.su2"));
-    ASSERT_EQ(file.boundaries.size(), 1U);
-    EXPECT_EQ(file.boundaries[0].name, "airfoil");
-    EXPECT_EQ(file.boundaries[0].curve.degree, 2);
-    EXPECT_TRUE(file.boundaries[0].curve.closed);
-    EXPECT_EQ(file.boundaries[0].curve.control_points(2, 1), 1);
-    EXPECT_EQ(file.boundaries[0].displacements(3, 1), -0.5);
-    EXPECT_EQ(file.deform.diffusivity, "inverse-distance");
-    EXPECT_EQ(file.deform.guard, "none");
-    EXPECT_THAT(*file.deform.fixed, ::testing::ElementsAre("farfield"));
+    ASSERT_EQ(file.motion.curves.size(), 1U);
+    EXPECT_EQ(file.motion.curves[0].marker, "airfoil");
+    EXPECT_EQ(file.motion.curves[0].curve.degree, 2);
+    EXPECT_TRUE(file.motion.curves[0].curve.closed);
+    EXPECT_EQ(file.motion.curves[0].curve.control_points(2, 1), 1);
+    EXPECT_EQ(file.motion.curves[0].displacements(3, 1), -0.5);
+    EXPECT_EQ(file.motion.deform.diffusivity, Diffusivity::inverse_distance);
+    EXPECT_EQ(file.motion.deform.guard, Guard::none);
+    EXPECT_THAT(*file.motion.deform.fixed, ::testing::ElementsAre("farfield"));
 }
 
 TEST(CaseFile, TakesMovedPointsAndFilesOfPoints)
@@ -65,9 +64,9 @@ TEST(CaseFile, TakesMovedPointsAndFilesOfPoints)
     text = with(text, "displacements = [[1, -0.5], [1, -0.5], [1, -0.5], [1, -0.5]]",
                 "moved = [[0, 0.25], [1, 0], [1, 1], [0.5, 1]]");
     const CaseFile file = read_case_file(folder.write("case.toml", text));
-    EXPECT_EQ(file.boundaries[0].curve.control_points(3, 1), 1);
-    EXPECT_EQ(file.boundaries[0].displacements(0, 1), 0.25);
-    EXPECT_EQ(file.boundaries[0].displacements(3, 0), 0.5);
+    EXPECT_EQ(file.motion.curves[0].curve.control_points(3, 1), 1);
+    EXPECT_EQ(file.motion.curves[0].displacements(0, 1), 0.25);
+    EXPECT_EQ(file.motion.curves[0].displacements(3, 0), 0.5);
 }
 
 TEST(CaseFile, GeneratesInsteadOfReading)

@@ -34,10 +34,10 @@ std::string pairs(const Points2& rows)
     return text + "]";
 }
 
-std::string boundary_text(const tools::BoundaryEntry& entry)
+std::string boundary_text(const CurveMove& entry)
 {
     std::ostringstream text;
-    text << "[[boundary]]\nname = \"" << entry.name << "\"\ndegree = " << entry.curve.degree
+    text << "[[boundary]]\nname = \"" << entry.marker << "\"\ndegree = " << entry.curve.degree
          << "\nclosed = " << (entry.curve.closed ? "true" : "false")
          << "\ncontrol_points = " << pairs(entry.curve.control_points)
          << "\ndisplacements = " << pairs(entry.displacements) << '\n';
@@ -52,7 +52,7 @@ std::string boundary_text(const tools::BoundaryEntry& entry)
 
 } // namespace
 
-std::string case_text(const tools::CaseFile& file)
+std::string case_text(const CaseFile& file)
 {
     std::ostringstream text;
     text << "[mesh]\n";
@@ -61,14 +61,15 @@ std::string case_text(const tools::CaseFile& file)
              << " }\n";
     else
         text << "file = \"" << file.mesh_file << "\"\n";
-    for (const tools::BoundaryEntry& entry : file.boundaries)
+    for (const CurveMove& entry : file.motion.curves)
         text << '\n' << boundary_text(entry);
-    text << "\n[deform]\nmethod = \"" << file.deform.method << "\"\ndiffusivity = \""
-         << file.deform.diffusivity << "\"\nguard = \"" << file.deform.guard << "\"\n";
+    const DeformSettings& deform = file.motion.deform;
+    text << "\n[deform]\nmethod = \"" << to_string(deform.method) << "\"\ndiffusivity = \""
+         << to_string(deform.diffusivity) << "\"\nguard = \"" << to_string(deform.guard) << "\"\n";
     return text.str();
 }
 
-tools::CaseFile fitted_case(const std::string& mesh, const std::vector<std::string>& markers, int points)
+CaseFile fitted_case(const std::string& mesh, const std::vector<std::string>& markers, int points)
 {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{mesh, "--points", std::to_string(points), "-o",
@@ -78,23 +79,23 @@ tools::CaseFile fitted_case(const std::string& mesh, const std::vector<std::stri
     const ProcessResult result = run_tool("morph-fit", arguments);
     if (result.status != 0)
         throw std::runtime_error("morph-fit: " + result.errors);
-    tools::CaseFile file = tools::read_case_file(folder.file("case.toml"));
+    CaseFile file = read_case_file(folder.file("case.toml"));
     file.mesh_file = mesh;
     return file;
 }
 
-void turn(tools::CaseFile& file, double degrees, const Eigen::Vector2d& centre)
+void turn(CaseFile& file, double degrees, const Eigen::Vector2d& centre)
 {
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(degrees * std::numbers::pi / 180).toRotationMatrix();
-    for (tools::BoundaryEntry& entry : file.boundaries) {
+    for (CurveMove& entry : file.motion.curves) {
         const Points2 arms = entry.curve.control_points.rowwise() - centre.transpose();
         entry.displacements = arms * R.transpose() - arms;
     }
 }
 
-void shift(tools::CaseFile& file, const Eigen::Vector2d& shift)
+void shift(CaseFile& file, const Eigen::Vector2d& shift)
 {
-    for (tools::BoundaryEntry& entry : file.boundaries)
+    for (CurveMove& entry : file.motion.curves)
         entry.displacements =
             Points2(entry.curve.control_points.rows(), 2).setZero().rowwise() + shift.transpose();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/case/case_file.h"
+#include "formats/case/case_file.h"
 
 #include <Eigen/Core>
 
@@ -9,16 +9,15 @@
 namespace morph::test {
 
 /// The text of a case file that read_case_file() reads back as @p file, with absolute paths.
-std::string case_text(const tools::CaseFile& file);
+std::string case_text(const CaseFile& file);
 
 /// Case file that morph-fit makes for markers of a mesh, as read.
-tools::CaseFile fitted_case(const std::string& mesh, const std::vector<std::string>& markers,
-                            int points = 12);
+CaseFile fitted_case(const std::string& mesh, const std::vector<std::string>& markers, int points = 12);
 
 /// Displace every control point so that the curves turn by @p degrees about @p centre.
-void turn(tools::CaseFile& file, double degrees, const Eigen::Vector2d& centre);
+void turn(CaseFile& file, double degrees, const Eigen::Vector2d& centre);
 
 /// Displace every control point by @p shift.
-void shift(tools::CaseFile& file, const Eigen::Vector2d& shift);
+void shift(CaseFile& file, const Eigen::Vector2d& shift);
 
 } // namespace morph::test

@@ -63,10 +63,10 @@ protected:
     static constexpr double kSwing = 0.02; // chords: enough to change the area by some percent
 
     /// A move of all control points that keeps nothing by itself.
-    static tools::CaseFile moved_case()
+    static CaseFile moved_case()
     {
-        tools::CaseFile file = test::fitted_case(test::example_path("naca0012_inv.su2"), {"airfoil"});
-        Points2& moves = file.boundaries[0].displacements;
+        CaseFile file = test::fitted_case(test::example_path("naca0012_inv.su2"), {"airfoil"});
+        Points2& moves = file.motion.curves[0].displacements;
         for (Eigen::Index k = 0; k < moves.rows(); ++k)
             moves.row(k) = kSwing * Eigen::RowVector2d(std::sin(2.0 * static_cast<double>(k)),
                                                        std::cos(5.0 * static_cast<double>(k)));
@@ -197,9 +197,9 @@ TEST_F(ConstrainedCase, KeepTheEndsOfTwoCurvesTogether)
     const std::string halves = test::data_path("meshes/naca0012_multiffd.su2");
     const Mesh mesh = build_mesh(read_mesh_data(halves));
     const std::vector<std::string> names{"airfoil_lower", "airfoil_upper"};
-    tools::CaseFile file = test::fitted_case(halves, names);
-    file.boundaries[0].displacements.row(5) = Eigen::RowVector2d(0.0, 0.03);
-    file.boundaries[1].displacements.row(5) = Eigen::RowVector2d(0.0, 0.03);
+    CaseFile file = test::fitted_case(halves, names);
+    file.motion.curves[0].displacements.row(5) = Eigen::RowVector2d(0.0, 0.03);
+    file.motion.curves[1].displacements.row(5) = Eigen::RowVector2d(0.0, 0.03);
     const Index middle = nodes_of(mesh, names[0])[3];
     const Points after =
         moved(test::case_text(file) + "[constraints]\nfixed_vertices = [" + std::to_string(middle) + "]\n");

@@ -45,7 +45,7 @@ protected:
     TemporaryFolder folder_;
     std::string mesh_ = test::example_path("naca0012_inv.su2");
     Points before_ = read_mesh_data(mesh_).points;
-    tools::CaseFile file_;
+    CaseFile file_;
 };
 
 TEST_F(DirectControl, BringsPulledVerticesWhereTheyAreWanted)
@@ -138,11 +138,11 @@ TEST_F(DirectControl, GradientsAgreeWithFiniteDifferences)
     constexpr double kStep = 1e-3;
     for (const Index k : {0, 4, 9})
         for (Eigen::Index c = 0; c < 2; ++c) {
-            file_.boundaries[0].displacements(k, c) = kStep;
+            file_.motion.curves[0].displacements(k, c) = kStep;
             const double above = objective(moved());
-            file_.boundaries[0].displacements(k, c) = -kStep;
+            file_.motion.curves[0].displacements(k, c) = -kStep;
             const double below = objective(moved());
-            file_.boundaries[0].displacements(k, c) = 0;
+            file_.motion.curves[0].displacements(k, c) = 0;
             const double difference = (above - below) / (2 * kStep);
             const double exact = gradient[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)];
             EXPECT_NEAR(exact, difference, 1e-8 * std::max(1.0, std::abs(exact)));

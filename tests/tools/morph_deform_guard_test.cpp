@@ -27,9 +27,9 @@ protected:
     /// The case of a turn about the middle of the chord, by harmonic weights.
     std::string turned(double degrees, const std::string& diffusivity) const
     {
-        tools::CaseFile file = test::fitted_case(mesh_, {GetParam().marker});
+        CaseFile file = test::fitted_case(mesh_, {GetParam().marker});
         test::turn(file, degrees, {0.5, 0});
-        file.deform.diffusivity = diffusivity;
+        file.motion.deform.diffusivity = diffusivity;
         return test::case_text(file);
     }
 

@@ -303,7 +303,7 @@ TEST_F(LatticeCase, WarnsOfAFoldedLatticeAndNamesTheCell)
 
 TEST_F(LatticeCase, IsFittedToTheCurvesOfACase)
 {
-    tools::CaseFile file = test::fitted_case(mesh_, {"airfoil"});
+    CaseFile file = test::fitted_case(mesh_, {"airfoil"});
     test::turn(file, 3, {0.5, 0});
     const std::string text = test::case_text(file);
     const auto result = deform(text + "[lattice]\npoints = [10, 8]\nbox = [-0.5, -0.6, 1.5, 0.6]\n");

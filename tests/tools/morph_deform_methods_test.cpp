@@ -31,7 +31,7 @@ class Method : public ::testing::TestWithParam<Told> {
 protected:
     Method()
     {
-        file_.deform.method = GetParam().method;
+        file_.motion.deform.method = from_string<morph::Method>(GetParam().method);
         test::turn(file_, 15, {0.5, 0});
     }
 
@@ -51,7 +51,7 @@ protected:
 
     TemporaryFolder folder_;
     std::string mesh_ = test::example_path("naca0012_inv.su2");
-    tools::CaseFile file_ = test::fitted_case(mesh_, {"airfoil"});
+    CaseFile file_ = test::fitted_case(mesh_, {"airfoil"});
 };
 
 TEST_P(Method, TurnsAnAirfoilExactlyOnTheCurve)

@@ -98,7 +98,7 @@ TEST_F(RemeshGuard, MendsAnElementWhoseVerticesAreAllHeld)
 
 TEST_F(RemeshGuard, TurnsARealMeshByNinetyDegreesInOneStep)
 {
-    tools::CaseFile file = test::fitted_case(test::data_path("meshes/naca0012_inv.su2"), {"airfoil"});
+    CaseFile file = test::fitted_case(test::data_path("meshes/naca0012_inv.su2"), {"airfoil"});
     test::turn(file, 90, {0.5, 0});
     const std::string text = test::case_text(file);
     ASSERT_EQ(deform(text, "check", "tangled.su2").status, 3);

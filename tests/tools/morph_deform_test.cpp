@@ -73,7 +73,7 @@ protected:
     std::string mesh_ = test::data_path("meshes/" + GetParam().mesh);
     TemporaryFolder folder_;
 
-    test::ProcessResult deform(const tools::CaseFile& file, std::vector<std::string> more = {})
+    test::ProcessResult deform(const CaseFile& file, std::vector<std::string> more = {})
     {
         std::vector<std::string> arguments{folder_.write("case.toml", test::case_text(file)), "-o",
                                            folder_.file("moved.su2"), "--json", folder_.file("report.json")};
@@ -84,7 +84,7 @@ protected:
 
 TEST_P(MorphDeformRealMesh, BendsTheBodyAndKeepsEverythingElse)
 {
-    tools::CaseFile file = test::fitted_case(mesh_, GetParam().markers);
+    CaseFile file = test::fitted_case(mesh_, GetParam().markers);
     test::turn(file, 2, {0.5, 0});
     const auto result = deform(file);
     ASSERT_EQ(result.status, 0) << result.errors;
@@ -104,20 +104,20 @@ TEST_P(MorphDeformRealMesh, BendsTheBodyAndKeepsEverythingElse)
 
 TEST_P(MorphDeformRealMesh, LandsEachBoundaryNodeOnTheMovedCurvePlusItsResidual)
 {
-    tools::CaseFile file = test::fitted_case(mesh_, GetParam().markers);
+    CaseFile file = test::fitted_case(mesh_, GetParam().markers);
     test::turn(file, -3, {0.2, 0.1});
     ASSERT_EQ(deform(file).status, 0);
     const MeshData before = read_mesh_data(mesh_);
     const MeshData after = read_mesh_data(folder_.file("moved.su2"));
-    for (const tools::BoundaryEntry& entry : file.boundaries) {
+    for (const CurveMove& entry : file.motion.curves) {
         const Curve curve(entry.curve);
         const Curve moved = curve.with_control_points(entry.curve.control_points + entry.displacements);
-        for (const Index v : marker_vertices(*find_marker(before.markers, entry.name))) {
+        for (const Index v : marker_vertices(*find_marker(before.markers, entry.marker))) {
             const Eigen::Vector2d old_position = before.points.row(v).head<2>();
             const CurveParameter on_curve = closest_parameter(curve, old_position);
             const Eigen::Vector2d new_position = after.points.row(v).head<2>();
             const Eigen::Vector2d expected = moved.point(on_curve.u) + old_position - curve.point(on_curve.u);
-            EXPECT_LE((new_position - expected).norm(), 1e-9) << entry.name << " vertex " << v;
+            EXPECT_LE((new_position - expected).norm(), 1e-9) << entry.marker << " vertex " << v;
         }
     }
 }
@@ -131,8 +131,8 @@ TEST_P(MorphDeformRealMesh, MovesNothingWithoutDisplacements)
 
 TEST_P(MorphDeformRealMesh, CountsInvertedElementsAsAnIndependentCountDoes)
 {
-    tools::CaseFile file = test::fitted_case(mesh_, GetParam().markers);
-    file.deform.diffusivity = "uniform";
+    CaseFile file = test::fitted_case(mesh_, GetParam().markers);
+    file.motion.deform.diffusivity = Diffusivity::uniform;
     test::turn(file, 60, {0.5, 0});
     const auto result = deform(file);
     EXPECT_EQ(result.status, 3);
@@ -160,7 +160,7 @@ class MorphDeform : public ::testing::Test {
 protected:
     TemporaryFolder folder_;
     std::string mesh_ = test::data_path("meshes/naca0012_inv.su2");
-    tools::CaseFile file_ = test::fitted_case(mesh_, {"airfoil"});
+    CaseFile file_ = test::fitted_case(mesh_, {"airfoil"});
 
     std::string write_case() const { return folder_.write("case.toml", test::case_text(file_)); }
     void SetUp() override { test::turn(file_, 4, {0.5, 0}); }
@@ -195,7 +195,7 @@ TEST_F(MorphDeform, IsLinearInTheDisplacements)
 {
     const MeshData start = read_mesh_data(mesh_);
     ASSERT_EQ(run_tool("morph-deform", {write_case(), "-o", folder_.file("one.su2")}).status, 0);
-    file_.boundaries[0].displacements *= 0.5;
+    file_.motion.curves[0].displacements *= 0.5;
     ASSERT_EQ(run_tool("morph-deform", {write_case(), "-o", folder_.file("half.su2")}).status, 0);
     const Points one = read_mesh_data(folder_.file("one.su2")).points - start.points;
     const Points half = read_mesh_data(folder_.file("half.su2")).points - start.points;
@@ -205,10 +205,10 @@ TEST_F(MorphDeform, IsLinearInTheDisplacements)
 TEST_F(MorphDeform, TellsHowMuchOfAMoveIsSafe)
 {
     test::turn(file_, 40, {0.5, 0});
-    file_.deform.diffusivity = "uniform";
-    const Points2 whole = file_.boundaries[0].displacements;
+    file_.motion.deform.diffusivity = Diffusivity::uniform;
+    const Points2 whole = file_.motion.curves[0].displacements;
     const auto report_with = [&](double part) {
-        file_.boundaries[0].displacements = part * whole;
+        file_.motion.curves[0].displacements = part * whole;
         run_tool("morph-deform",
                  {write_case(), "-o", folder_.file("m.su2"), "--json", folder_.file("r.json")});
         return report_of(folder_.file("r.json"));
@@ -229,7 +229,7 @@ TEST_F(MorphDeform, TellsHowMuchOfAMoveIsSafe)
 TEST_F(MorphDeform, DoesNotLookAtTheResultWithGuardNone)
 {
     test::turn(file_, 60, {0.5, 0});
-    file_.deform.diffusivity = "uniform";
+    file_.motion.deform.diffusivity = Diffusivity::uniform;
     const auto result =
         run_tool("morph-deform", {write_case(), "-o", folder_.file("m.su2"), "--guard", "none"});
     EXPECT_EQ(result.status, 0) << result.errors;
@@ -255,9 +255,9 @@ TEST_F(MorphDeform, PrintsNothingWhenQuiet)
 
 TEST_F(MorphDeform, WarnsOfAMovedCurveThatCrossesItself)
 {
-    file_.boundaries[0].displacements.setZero();
-    file_.boundaries[0].displacements.row(3) << 0, 0.5;
-    file_.boundaries[0].displacements.row(9) << 0, -0.5;
+    file_.motion.curves[0].displacements.setZero();
+    file_.motion.curves[0].displacements.row(3) << 0, 0.5;
+    file_.motion.curves[0].displacements.row(9) << 0, -0.5;
     const auto result = run_tool("morph-deform", {write_case(), "-o", folder_.file("m.su2")});
     EXPECT_EQ(result.status, 3);
     EXPECT_THAT(result.errors, HasSubstr("crosses itself near"));
@@ -316,22 +316,22 @@ TEST_F(MorphDeform, RefusesBadCallsInOneLineAndLeavesNothing)
 
 TEST_F(MorphDeform, RefusesCasesThatDoNotGoWithTheMesh)
 {
-    const auto complaint = [&](const tools::CaseFile& file) {
+    const auto complaint = [&](const CaseFile& file) {
         const auto result = run_tool(
             "morph-deform", {folder_.write("bad.toml", test::case_text(file)), "-o", folder_.file("m.su2")});
         EXPECT_EQ(result.status, 1) << result.errors;
         return result.errors;
     };
-    tools::CaseFile file = file_;
-    file.boundaries[0].name = "airfiol";
+    CaseFile file = file_;
+    file.motion.curves[0].marker = "airfiol";
     EXPECT_THAT(complaint(file), HasSubstr("did you mean 'airfoil'?"));
     file = file_;
-    file.boundaries[0].curve.closed = false;
-    file.boundaries[0].curve.knots.clear();
+    file.motion.curves[0].curve.closed = false;
+    file.motion.curves[0].curve.knots.clear();
     EXPECT_THAT(complaint(file), HasSubstr("boundary 'airfoil'"));
     file = file_;
-    file.boundaries[0].curve.knots.clear();
-    file.boundaries[0].curve.control_points.row(2).swap(file.boundaries[0].curve.control_points.row(8));
+    file.motion.curves[0].curve.knots.clear();
+    file.motion.curves[0].curve.control_points.row(2).swap(file.motion.curves[0].curve.control_points.row(8));
     EXPECT_THAT(complaint(file), HasSubstr("crosses itself"));
     file = file_;
     file.mesh_file = folder_.path();

@@ -1,9 +1,9 @@
+#include "formats/case/case_file.h"
 #include "formats/formats.h"
 #include "libmorph/basis/closest.h"
 #include "libmorph/mesh/chain.h"
 #include "tests/support/meshes.h"
 #include "tests/support/process.h"
-#include "tools/case/case_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -88,15 +88,15 @@ TEST(MorphFit, WritesACaseFileWhoseCurvesAreAsNearAsItSays)
         const ProcessResult result = fit(list);
         ASSERT_EQ(result.status, 0) << result.errors;
         const auto report = nlohmann::json::parse(result.output);
-        const tools::CaseFile file = tools::read_case_file(path);
+        const CaseFile file = read_case_file(path);
         EXPECT_TRUE(std::filesystem::equivalent(file.mesh_file, mesh_path(body.mesh)));
-        EXPECT_EQ(file.deform.diffusivity, "inverse-distance");
-        ASSERT_EQ(file.boundaries.size(), body.markers.size());
+        EXPECT_EQ(file.motion.deform.diffusivity, Diffusivity::inverse_distance);
+        ASSERT_EQ(file.motion.curves.size(), body.markers.size());
         const Mesh mesh = read_mesh(file.mesh_file);
         double largest = 0;
-        for (const tools::BoundaryEntry& entry : file.boundaries) {
+        for (const CurveMove& entry : file.motion.curves) {
             EXPECT_EQ(entry.displacements, Points2::Zero(12, 2));
-            const Chain chain = marker_chain(marker(mesh, entry.name), mesh.numbering);
+            const Chain chain = marker_chain(marker(mesh, entry.marker), mesh.numbering);
             EXPECT_EQ(entry.curve.closed, chain.closed);
             const Points2 nodes = points(mesh)(chain.vertices, {0, 1});
             for (const CurveParameter& place : node_parameters(Curve(entry.curve), nodes, chain.closed))
