@@ -28,7 +28,7 @@ std::string place(const Eigen::RowVector3d& point)
     return point.z() == 0 ? xy + ")" : xy + ", " + short_number(point.z()) + ")";
 }
 
-std::string outside_text(const SiteCounts& counts, const std::string& what)
+std::string outside_text(const TargetCounts& counts, const std::string& what)
 {
     const double percent = 100.0 * static_cast<double>(counts.outside) / static_cast<double>(counts.targets);
     return std::to_string(counts.outside) + " of " + std::to_string(counts.targets) + " " + what + " (" +
@@ -45,7 +45,7 @@ double uncovered(double whole, double common)
     return rest > kRounding * whole ? rest : 0;
 }
 
-ordered_json farthest_json(const SiteCounts& counts)
+ordered_json farthest_json(const TargetCounts& counts)
 {
     return {{"target", counts.farthest},
             {"x", counts.where.x()},
@@ -109,7 +109,7 @@ void describe_fields(const RemapResult& result, Report& report)
 
 void describe_sites(const RemapResult& result, Report& report)
 {
-    const SiteCounts& counts = result.vertices;
+    const TargetCounts& counts = result.vertices;
     report.json["targets"] = counts.targets;
     report.json["inside"] = counts.targets - counts.outside;
     report.json["outside"] = counts.outside;
@@ -120,7 +120,7 @@ void describe_sites(const RemapResult& result, Report& report)
                                    : outside_text(counts, "targets") + "; filled by " + result.outside_rule);
     if (!result.elements)
         return;
-    const SiteCounts& elements = *result.elements;
+    const TargetCounts& elements = *result.elements;
     report.json["elements"] = {{"targets", elements.targets},
                                {"inside", elements.targets - elements.outside},
                                {"outside", elements.outside}};
@@ -130,26 +130,7 @@ void describe_sites(const RemapResult& result, Report& report)
 
 } // namespace
 
-SiteCounts count_sites(const TargetLocations& sites, const Points& targets,
-                       const std::vector<Index>& file_numbers)
-{
-    SiteCounts counts;
-    counts.targets = sites.locations.face.size();
-    counts.outside = sites.outside.size();
-    for (std::size_t i = 0; i < sites.outside.size(); ++i) {
-        const Index number = file_numbers[static_cast<std::size_t>(sites.outside[i])];
-        const double distance = sites.outside_feet[i].distance;
-        if (counts.farthest < 0 || distance > counts.distance ||
-            (distance == counts.distance && number < counts.farthest)) {
-            counts.farthest = number;
-            counts.distance = distance;
-            counts.where = targets.row(sites.outside[i]);
-        }
-    }
-    return counts;
-}
-
-std::string outside_warning(const SiteCounts& counts, const std::string& what)
+std::string outside_warning(const TargetCounts& counts, const std::string& what)
 {
     constexpr std::size_t kOneIn = 100;
     return counts.outside * kOneIn > counts.targets ? outside_text(counts, what) : "";

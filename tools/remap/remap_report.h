@@ -10,15 +10,6 @@
 
 namespace morph::tools {
 
-/// Where the targets of one kind lie.
-struct SiteCounts {
-    std::size_t targets = 0;
-    std::size_t outside = 0;
-    Index farthest = -1;      ///< file number of the target farthest from the source; -1: none is outside
-    Eigen::RowVector3d where; ///< it lies here
-    double distance = 0;      ///< so far from the source
-};
-
 /// Smallest, largest value and integral of a field before and after.
 struct FieldChange {
     std::string name;
@@ -40,21 +31,16 @@ struct RemapResult {
     std::string target;
     std::string output;
     std::string outside_rule;
-    SiteCounts vertices;
-    std::optional<SiteCounts> elements; ///< with element fields
+    TargetCounts vertices;
+    std::optional<TargetCounts> elements; ///< with element fields
     std::vector<FieldChange> fields;
     std::optional<Conservation> nodal_conservation;
     std::optional<Conservation> element_conservation;
     RemapSeconds seconds;
 };
 
-/// Count the targets outside and find the farthest of them.
-/// @param file_numbers  of the targets
-SiteCounts count_sites(const TargetLocations& sites, const Points& targets,
-                       const std::vector<Index>& file_numbers);
-
 /// "183 of 4055 targets (4.5 %) lie outside the source, ..." when more than 1 % do; else empty.
-std::string outside_warning(const SiteCounts& counts, const std::string& what);
+std::string outside_warning(const TargetCounts& counts, const std::string& what);
 
 /// The result as JSON and as a summary.
 void describe(const RemapResult& result, Report& report);
