@@ -132,17 +132,6 @@ void say_wall(const WallQuality& wall, Report& report)
 
 } // namespace
 
-FullQuality full_quality(const Mesh& mesh, const PositionsView* reference)
-{
-    FullQuality quality;
-    quality.summary =
-        reference == nullptr ? quality_report(mesh) : quality_report(mesh, points(mesh), *reference);
-    for (const WorstElement& worst : quality.summary.worst)
-        quality.worst_places.push_back(element_place(mesh, points(mesh), worst.face));
-    quality.walls = wall_quality(mesh, points(mesh), reference);
-    return quality;
-}
-
 void describe(const FullQuality& quality, Report& report)
 {
     const QualityReport& summary = quality.summary;
