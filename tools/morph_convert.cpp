@@ -12,6 +12,8 @@
 #include "tools/convert/file_info.h"
 #include "tools/convert/transform.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <iostream>
 #include <set>

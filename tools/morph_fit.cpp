@@ -11,6 +11,8 @@
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <filesystem>
 

@@ -9,6 +9,8 @@
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
+#include <nlohmann/json.hpp>
+
 namespace {
 
 using namespace morph;

@@ -18,6 +18,8 @@
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <utility>
 

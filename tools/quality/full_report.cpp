@@ -4,6 +4,8 @@
 #include "tools/common/quality_json.h"
 #include "tools/quality/text_table.h"
 
+#include <nlohmann/json.hpp>
+
 namespace morph::tools {
 
 namespace {

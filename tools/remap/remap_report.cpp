@@ -2,6 +2,8 @@
 
 #include "libmorph/core/names.h"
 
+#include <nlohmann/json.hpp>
+
 namespace morph::tools {
 
 namespace {
