@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -39,7 +40,8 @@ inline constexpr std::array<EnumName<Enum>, 0> kEnumNames{};
 
 /// An enum with kEnumNames.
 template <typename Enum>
-concept NamedEnum = std::is_enum_v<Enum> && kEnumNames<Enum>.size() > 0;
+concept NamedEnum = std::is_enum_v<Enum> && std::size(kEnumNames<Enum>)
+!= 0;
 
 /// The names of all values of an enum.
 template <NamedEnum Enum>
