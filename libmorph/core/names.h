@@ -4,7 +4,6 @@
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace morph {
@@ -40,8 +39,7 @@ inline constexpr std::array<EnumName<Enum>, 0> kEnumNames{};
 
 /// An enum with kEnumNames.
 template <typename Enum>
-concept NamedEnum = std::is_enum_v<Enum> && std::size(kEnumNames<Enum>)
-!= 0;
+concept NamedEnum = !std::empty(kEnumNames<Enum>);
 
 /// The names of all values of an enum.
 template <NamedEnum Enum>
