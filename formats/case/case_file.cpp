@@ -210,7 +210,8 @@ void take_su2_box(CaseFile& file, const Mesh& mesh)
     } catch (const InputError& error) {
         throw InputError(lattice.where + "[lattice] " + error.what());
     }
-    lattice.displacements = full_displacements(file.su2_box_displacements, lattice.shape.points, lattice.where);
+    lattice.displacements =
+        full_displacements(file.su2_box_displacements, lattice.shape.points, lattice.where);
 }
 
 } // namespace morph

@@ -18,7 +18,7 @@ struct CaseFile {
     MotionSettings motion;
     std::string output_mesh; ///< empty when not given
 
-    std::string su2_box;         ///< tag of the FFD box that is to be the lattice, see take_su2_box()
+    std::string su2_box;          ///< tag of the FFD box that is to be the lattice, see take_su2_box()
     Matrix su2_box_displacements; ///< rows i, j, k, dx, dy, dz
 };
 

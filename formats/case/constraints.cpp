@@ -88,7 +88,7 @@ MirrorSettings mirror_entry(const TomlTable& table)
 {
     table.require_known({"boundary", "at", "normal"});
     MirrorSettings entry{table.where(), required_boundary(table), vector_of(table, "at"),
-                      vector_of(table, "normal")};
+                         vector_of(table, "normal")};
     if (!(entry.normal.norm() > 0))
         table.fail_missing("normal", "normal = [0, 1], across the line of symmetry");
     return entry;

@@ -14,7 +14,7 @@ namespace morph {
 /// [lattice]; of an FFD box only what the box does not have.
 struct LatticeEntry {
     LatticeSettings settings;
-    std::string su2_box;         ///< tag of an FFD box of the mesh's SU2 file; empty: the settings have the shape
+    std::string su2_box; ///< tag of an FFD box of the mesh's SU2 file; empty: the settings have the shape
     Matrix sparse_displacements; ///< rows i, j, k, dx, dy, dz as given
 };
 

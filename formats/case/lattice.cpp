@@ -110,9 +110,9 @@ void take_place(const TomlTable& table, LatticeEntry& entry)
     if (const auto control_points = table.rows("control_points", names)) {
         const Index count = count_of(lattice.shape);
         if (control_points->rows() != count)
-            table.fail(table.line("control_points"),
-                       "[lattice] control_points has " + std::to_string(control_points->rows()) +
-                           " rows, but points make " + std::to_string(count));
+            table.fail(table.line("control_points"), "[lattice] control_points has " +
+                                                         std::to_string(control_points->rows()) +
+                                                         " rows, but points make " + std::to_string(count));
         lattice.shape.control_points = Points::Zero(count, 3);
         lattice.shape.control_points.leftCols(dimension) = *control_points;
     }

@@ -163,8 +163,8 @@ std::optional<Index> TomlTable::integer(const std::string& key, Index least, Ind
         return std::nullopt;
     const auto* value = node->as_integer();
     if (!value || value->get() < least || value->get() > most)
-        fail(line_of(*node), node_->label(key) + " must be a whole number from " + std::to_string(least) + " to " +
-                                 std::to_string(most));
+        fail(line_of(*node), node_->label(key) + " must be a whole number from " + std::to_string(least) +
+                                 " to " + std::to_string(most));
     return static_cast<Index>(value->get());
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace morph {
@@ -39,7 +39,7 @@ inline constexpr std::array<EnumName<Enum>, 0> kEnumNames{};
 
 /// An enum with kEnumNames.
 template <typename Enum>
-concept NamedEnum = std::is_enum_v<Enum> && kEnumNames<Enum>.size() > 0;
+concept NamedEnum = !std::empty(kEnumNames<Enum>);
 
 /// The names of all values of an enum.
 template <NamedEnum Enum>

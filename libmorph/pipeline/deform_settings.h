@@ -56,27 +56,32 @@ inline constexpr auto kEnumNames<Guard> = std::to_array<EnumName<Guard>>({
 
 /// A marker that moves as one rigid body, or the cells next to it that move with it.
 struct RigidMarker {
-    std::string marker;
+    std::string marker = {};
     double distance = 0; ///< of the cells, length unit of the mesh; 0: the marker itself
 };
 
 /// How the mesh follows its boundary, and what is checked and repaired after the move.
 struct DeformSettings {
-    std::string where; ///< in front of messages about it: "case.toml:12: "
+    std::string where = {}; ///< in front of messages about it: "case.toml:12: "
     Method method = Method::harmonic;
     Diffusivity diffusivity = Diffusivity::uniform; ///< of Method::harmonic
     Guard guard = Guard::check;
-    std::optional<std::vector<std::string>> fixed; ///< markers held still; default: all that nothing moves
-    std::optional<bool> rotations; ///< extend the boundary's rotation too; default: with Method::idw only
-    int steps = 1;                 ///< 0: as many as the safe step asks for, see move_in_steps()
-    std::vector<std::string> slide; ///< markers whose nodes slide along them
-    std::vector<RigidMarker> rigid;
 
-    RbfOptions rbf;
-    std::optional<double> rbf_tolerance; ///< choose centres until they meet it; default: all boundary nodes
-    IdwOptions idw;
-    Elasticity elasticity;
-    SpringOptions spring;
+    /// Markers held still; default: all that nothing moves.
+    std::optional<std::vector<std::string>> fixed = {};
+
+    /// Extend the boundary's rotation too; default: with Method::idw only.
+    std::optional<bool> rotations = {};
+
+    int steps = 1;                       ///< 0: as many as the safe step asks for, see move_in_steps()
+    std::vector<std::string> slide = {}; ///< markers whose nodes slide along them
+    std::vector<RigidMarker> rigid = {};
+
+    RbfOptions rbf = {};
+    std::optional<double> rbf_tolerance = {}; ///< choose centres until they meet it; default: take all
+    IdwOptions idw = {};
+    Elasticity elasticity = {};
+    SpringOptions spring = {};
     BiharmonicCondition biharmonic = BiharmonicCondition::conformal;
 };
 

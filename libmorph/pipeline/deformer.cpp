@@ -16,8 +16,8 @@ namespace morph {
 namespace {
 
 /// With other weights of the control points the map is not linear in them.
-void move_reweighted(const LatticeSettings& settings, const PlacedLattice& placed, const Matrix& displacements,
-                     const Eigen::Map<Points>& positions)
+void move_reweighted(const LatticeSettings& settings, const PlacedLattice& placed,
+                     const Matrix& displacements, const Eigen::Map<Points>& positions)
 {
     const Lattice& before = placed.lattice;
     Points control_points = before.definition().control_points;

@@ -36,8 +36,8 @@ public:
 
     const Mesh& mesh() const;
     const MotionSettings& settings() const;
-    const std::vector<CurveBoundary>& boundaries() const; ///< one for each curve
-    const PlacedLattice* lattice() const;                 ///< null without one
+    const std::vector<CurveBoundary>& boundaries() const;    ///< one for each curve
+    const PlacedLattice* lattice() const;                    ///< null without one
     const std::vector<ControlPoint>& control_points() const; ///< K
     const Matrix& displacements() const; ///< K x d as the settings have them, d = 2 or, on surfaces, 3
 

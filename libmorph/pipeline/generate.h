@@ -11,7 +11,7 @@ namespace morph {
 
 /// The domain to be meshed: a box without the insides of curves.
 struct GenerateSettings {
-    std::string where;           ///< in front of messages: "case.toml: "
+    std::string where = {};      ///< in front of messages: "case.toml: "
     std::array<double, 4> box{}; ///< xmin, ymin, xmax, ymax
     double size = 0;             ///< target edge length on the box
 };

@@ -74,8 +74,9 @@ void hold_outer(const LatticeSettings& settings, PlacedLattice& placed)
         placed.displacements.row(row).setZero();
     }
     if (moved > 0)
-        placed.warnings.push_back("[lattice] continuity = " + std::to_string(settings.continuity) + " holds " +
-                                  std::to_string(moved) + " control points that have displacements");
+        placed.warnings.push_back("[lattice] continuity = " + std::to_string(settings.continuity) +
+                                  " holds " + std::to_string(moved) +
+                                  " control points that have displacements");
 }
 
 /// Of all control points, in the dimension of the mesh.

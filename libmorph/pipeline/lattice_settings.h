@@ -10,26 +10,33 @@ namespace morph {
 
 /// A box along the axes.
 struct LatticeBox {
-    Eigen::Vector3d low, high; ///< z does not count in the plane
+    Eigen::Vector3d low = Eigen::Vector3d::Zero(); ///< z does not count in the plane
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
 };
 
 /// A box turned or sheared at will.
 struct LatticeAxes {
-    Eigen::Vector3d origin;
-    Eigen::Matrix3d axes; ///< columns: the sides of the box along i, j, k; the third does not count in the plane
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+
+    /// Columns: the sides of the box along i, j, k; the third does not count in the plane.
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
 /// A lattice of free-form deformation around what is to be deformed. Control point (i, j, k) is row
 /// i + points[0] (j + points[1] k) of every matrix here.
 struct LatticeSettings {
-    std::string where;       ///< in front of messages about it: "case.toml:12: "
-    LatticeDefinition shape; ///< its control points do not count when there is a box or axes
-    std::optional<LatticeBox> box;
-    std::optional<LatticeAxes> axes;
-    Matrix displacements;              ///< N x 2 or N x 3, length unit of the mesh; empty: zero
-    std::vector<double> moved_weights; ///< N, of the moved lattice; empty: as before the move
-    int continuity = -1; ///< order of continuity at the faces of the box, which holds control points; -1: none
-    std::vector<std::string> markers; ///< with a method other than ffd: those it moves; empty: all not fixed
+    std::string where = {};       ///< in front of messages about it: "case.toml:12: "
+    LatticeDefinition shape = {}; ///< its control points do not count when there is a box or axes
+    std::optional<LatticeBox> box = {};
+    std::optional<LatticeAxes> axes = {};
+    Matrix displacements = {};              ///< N x 2 or N x 3, length unit of the mesh; empty: zero
+    std::vector<double> moved_weights = {}; ///< N, of the moved lattice; empty: as before the move
+
+    /// Order of continuity at the faces of the box, which holds control points; -1: none.
+    int continuity = -1;
+
+    /// With a method other than ffd: those that the lattice moves; empty: all not fixed.
+    std::vector<std::string> markers = {};
 };
 
 /// The lattice before the move.

@@ -25,8 +25,10 @@ struct PullOutcome {
 struct ControlOutcome {
     std::optional<PullOutcome> pull;
     std::optional<ConstrainedMove> constrained;
-    std::optional<double> curve_misfit; ///< of a lattice fitted to moved curves: largest distance of a boundary
-                                        ///< node to where its curve moves it, length unit of the mesh
+
+    /// Of a lattice fitted to moved curves: the largest distance of a boundary node to where its curve moves it,
+    /// length unit of the mesh.
+    std::optional<double> curve_misfit;
 };
 
 /// Range of the weights, and how far rows that should sum to one do not: those of the curves' own nodes, and
@@ -57,9 +59,12 @@ struct MoveResult {
     std::optional<QualityReport> before; ///< of the mesh before the move
     std::optional<QualityReport> after;
     Index tangled = 0; ///< inverted elements before the repair
-    std::optional<UntangleResult> untangled; ///< where there was something to untangle; file numbers, ascending
-    std::optional<RemeshedPart> remeshed;    ///< where elements were replaced
-    std::optional<Mesh> mesh;                ///< then: the whole mesh at its place, with numbers of its own
+
+    /// Where there was something to untangle; file numbers, ascending.
+    std::optional<UntangleResult> untangled;
+
+    std::optional<RemeshedPart> remeshed; ///< where elements were replaced
+    std::optional<Mesh> mesh;             ///< then: the whole mesh at its place, with numbers of its own
 
     std::vector<std::string> warnings; ///< repairs that could not be done
     MoveSeconds seconds;

@@ -46,7 +46,8 @@ void check_pull(const PullSettings& pull)
 void check_constraints(const ConstraintSettings& constraints)
 {
     if (constraints.fixed_points.rows() > 0 && constraints.fixed_points.cols() != 3)
-        throw InputError(constraints.where + "[constraints] fixed_points must have three columns, x, y and z");
+        throw InputError(constraints.where +
+                         "[constraints] fixed_points must have three columns, x, y and z");
     for (const ThicknessSettings& thickness : constraints.thicknesses)
         if (!(thickness.value > 0))
             throw InputError(thickness.where + "[constraints] thickness of '" + thickness.boundary +
@@ -90,8 +91,9 @@ bool is_linear(const MotionSettings& settings)
 void require_linear(const MotionSettings& settings)
 {
     if (!is_linear(settings))
-        throw InputError(settings.where + "the move is not linear in the control points, so it has no weights "
-                                          "to save and no gradient");
+        throw InputError(settings.where +
+                         "the move is not linear in the control points, so it has no weights "
+                         "to save and no gradient");
 }
 
 std::vector<ControlPoint> control_points(const MotionSettings& settings)

@@ -14,11 +14,11 @@ namespace morph {
 
 /// A marker, the curve through its nodes and how the control points of the curve move.
 struct CurveMove {
-    std::string where;  ///< in front of messages about it: "case.toml:12: "
-    std::string marker; ///< its name, and that of its control points
-    CurveDefinition curve;
-    Points2 displacements; ///< K x 2, length unit of the mesh; empty: zero
-    Index nodes = 0;       ///< for generate_mesh(): how many nodes the curve gets
+    std::string where = {};  ///< in front of messages about it: "case.toml:12: "
+    std::string marker = {}; ///< its name, and that of its control points
+    CurveDefinition curve = {};
+    Points2 displacements = {}; ///< K x 2, length unit of the mesh; empty: zero
+    Index nodes = 0;            ///< for generate_mesh(): how many nodes the curve gets
 };
 
 /// @throws InputError  as Curve; names the marker
@@ -26,10 +26,10 @@ Curve make_curve(const CurveMove& move);
 
 /// Vertices of the mesh, by number or as those nearest to points, and how far they are to move.
 struct PullSettings {
-    std::string where;           ///< in front of messages about it: "case.toml:12: "
-    std::vector<Index> vertices; ///< file numbers
-    Matrix points;               ///< m x 3; may be empty
-    Matrix displacements;        ///< a row for each vertex, then for each point; x, y and z
+    std::string where = {};           ///< in front of messages about it: "case.toml:12: "
+    std::vector<Index> vertices = {}; ///< file numbers
+    Matrix points = {};               ///< m x 3; may be empty
+    Matrix displacements = {};        ///< a row for each vertex, then for each point; x, y and z
 };
 
 /// What is to move and how.
@@ -39,12 +39,12 @@ struct PullSettings {
 /// follows. Every entry has a text `where` that messages about it begin with: the place in a case file, empty
 /// for settings made in a program. Messages name the entry itself in any case.
 struct MotionSettings {
-    std::string where; ///< in front of messages about the whole: "case.toml: "
-    std::vector<CurveMove> curves;
-    std::optional<LatticeSettings> lattice;
-    std::vector<PullSettings> pulls; ///< reached by the smallest change of the displacements
-    std::optional<ConstraintSettings> constraints;
-    DeformSettings deform;
+    std::string where = {}; ///< in front of messages about the whole: "case.toml: "
+    std::vector<CurveMove> curves = {};
+    std::optional<LatticeSettings> lattice = {};
+    std::vector<PullSettings> pulls = {}; ///< reached by the smallest change of the displacements
+    std::optional<ConstraintSettings> constraints = {};
+    DeformSettings deform = {};
 };
 
 /// Whether the lattice moves anything: with Method::ffd, or without curves.

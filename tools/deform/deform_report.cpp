@@ -79,12 +79,9 @@ void describe_lattice(const PlacedLattice& placed, Report& report)
     const LatticeDefinition& shape = placed.lattice.definition();
     const auto vertices = placed.embedding.inside.size();
     const auto inside = static_cast<std::size_t>(placed.embedding.inside_count);
-    report.json["lattice"] = {{"basis", to_string(shape.basis)},
-                              {"degree", shape.degree},
-                              {"points", shape.points},
-                              {"held", placed.held.size()},
-                              {"inside", inside},
-                              {"outside", vertices - inside}};
+    report.json["lattice"] = {
+        {"basis", to_string(shape.basis)}, {"degree", shape.degree}, {"points", shape.points},
+        {"held", placed.held.size()},      {"inside", inside},       {"outside", vertices - inside}};
     report.say("lattice: " + std::to_string(inside) + " of " + std::to_string(vertices) +
                " vertices lie in it");
 }

@@ -62,8 +62,7 @@ void check_and_repair(const Mesh& mesh, const PlacedBoundaries& placed, const Ma
         untangle_moved(mesh, result);
     if (guard == Guard::remesh && result.crossings.empty() && mesh.dimension == 2)
         remesh_moved(mesh, result);
-    result.after =
-        result.mesh ? quality_report(*result.mesh) : quality_report(mesh, result.positions);
+    result.after = result.mesh ? quality_report(*result.mesh) : quality_report(mesh, result.positions);
 }
 
 } // namespace morph

@@ -141,8 +141,7 @@ private:
     Matrix control_points_of(const MirrorSettings& entry) const
     {
         if (of_lattice() && entry.boundary == kLatticeName)
-            return motion_.lattice->lattice.definition().control_points.leftCols(
-                displacements_.cols());
+            return motion_.lattice->lattice.definition().control_points.leftCols(displacements_.cols());
         for (const CurveBoundary& boundary : motion_.curves.boundaries)
             if (boundary.name == entry.boundary && !of_lattice())
                 return boundary.curve.definition().control_points;

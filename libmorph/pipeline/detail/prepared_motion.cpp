@@ -34,10 +34,10 @@ Weights on_boundary(Weights given, const Mesh& mesh, const BoundaryConditions& c
 {
     if (given.columns != conditions.columns || given.values.rows() != vertex_count(mesh) ||
         given.values.cols() != std::ssize(given.columns))
-        throw InputError("the given weights are " + std::to_string(given.values.rows()) + " x " +
-                         std::to_string(given.values.cols()) + " of other control points or vertices; expected " +
-                         std::to_string(vertex_count(mesh)) + " x " +
-                         std::to_string(conditions.columns.size()));
+        throw InputError(
+            "the given weights are " + std::to_string(given.values.rows()) + " x " +
+            std::to_string(given.values.cols()) + " of other control points or vertices; expected " +
+            std::to_string(vertex_count(mesh)) + " x " + std::to_string(conditions.columns.size()));
     for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
         given.values.row(conditions.held.vertices[i]) =
             conditions.held.values.row(static_cast<Eigen::Index>(i));
@@ -107,7 +107,8 @@ PreparedMotion prepare_motion(const Mesh& mesh, const MotionSettings& settings, 
                              "[deform] rotations, steps, slide and rigid go with methods that carry the "
                              "boundary's move into the mesh, not with \"ffd\"");
         if (given)
-            throw InputError(deform.where + "[deform] \"ffd\" has the weights of its lattice and takes no others");
+            throw InputError(deform.where +
+                             "[deform] \"ffd\" has the weights of its lattice and takes no others");
         return motion_of_lattice(mesh, settings);
     }
     PreparedMotion motion;

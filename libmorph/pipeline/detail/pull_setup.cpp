@@ -44,8 +44,8 @@ PullOutcome pull(const Mesh& mesh, const std::vector<PullSettings>& pulls, const
         wanted.conservativeResize(wanted.rows() + entry.displacements.rows(), Eigen::NoChange);
         wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(wanted.cols());
     }
-    const Pulled pulled = pull_points(controlled_vertices(motion.rows(), points(mesh), pulled_vertices), wanted,
-                                      displacements, motion.held());
+    const Pulled pulled = pull_points(controlled_vertices(motion.rows(), points(mesh), pulled_vertices),
+                                      wanted, displacements, motion.held());
     displacements = pulled.displacements;
     PullOutcome outcome;
     for (const Index v : pulled_vertices)
