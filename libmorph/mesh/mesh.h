@@ -51,6 +51,18 @@ inline Index element_count(const Mesh& mesh)
     return static_cast<Index>(mesh.kernel.n_faces());
 }
 
+/// The number that the file has for vertex @p v; copies of a split vertex share it.
+inline Index file_vertex(const Mesh& mesh, Index v)
+{
+    return mesh.numbering.vertex[v];
+}
+
+/// The number that the file has for element @p f.
+inline Index file_element(const Mesh& mesh, Index f)
+{
+    return mesh.numbering.element[f];
+}
+
 /// The coordinates of the kernel as an n x 3 matrix; writing to it moves the mesh.
 inline Eigen::Map<Points> points(Mesh& mesh)
 {
