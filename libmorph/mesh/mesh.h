@@ -15,7 +15,7 @@ namespace morph {
 struct Numbering {
     std::vector<Index> vertex;  ///< n: file number of each vertex; copies of a split vertex share it
     std::vector<Index> element; ///< m: file number of each element
-    std::vector<bool> reversed; ///< m: the file lists this element the other way round
+    std::vector<bool> reversed; ///< m: the file lists this element the other way round, see reversed()
     Index file_vertices = 0;    ///< number of vertices in the file, at most n
 };
 
