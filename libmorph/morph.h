@@ -1,9 +1,17 @@
 #pragma once
 
-// All that a program needs, and all that is public: what is not reached from here or from formats/formats.h may
-// change without notice and is not installed.
-//
-// Meshes and files: build_mesh(), to_mesh_data(); read_mesh() and write_mesh() in formats/formats.h.
+/// @file
+/// All that a program needs and, with formats/formats.h, all that is public: what is not reached from these two
+/// may change without notice and is not installed.
+
+/// Everything of libmorph.
+///
+/// Start with read_mesh(), fit_marker() and Deformer. A mesh is a Mesh in memory and a MeshData in the numbering of
+/// its file.
+namespace morph {
+}
+
+// Meshes: build_mesh(), to_mesh_data(), apply_edits().
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/core/progress.h"
