@@ -10,6 +10,8 @@
 #include "tools/compare/comparison.h"
 #include "tools/compare/page.h"
 
+#include <nlohmann/json.hpp>
+
 #include <stdexcept>
 #include <string>
 #include <vector>

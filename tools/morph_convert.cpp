@@ -9,8 +9,10 @@
 #include "tools/common/field_source.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
-#include "tools/convert/edits.h"
 #include "tools/convert/file_info.h"
+#include "tools/convert/transform.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -34,6 +36,7 @@ struct Options {
     bool compress = false;
     std::string scale, rotate, translate;
     std::vector<std::string> drop_fields;
+    std::vector<std::string> renames;
     ReadOptions read;
     Edits edits;
 };
@@ -85,7 +88,7 @@ void add_edit_options(CommandLine& line, Options& options)
              "Make one vertex of those nearer to each other than this, in the units of the file")
         .type_name("LENGTH")
         .positive();
-    line.add("--rename-marker", options.edits.renames, "Rename a marker or group; may be given several times")
+    line.add("--rename-marker", options.renames, "Rename a marker or group; may be given several times")
         .type_name("OLD=NEW")
         .one_value_each_time();
     line.add("--drop-fields", options.drop_fields, "Leave out the fields of these names, or all")
@@ -107,7 +110,7 @@ void check_usage(const Options& options)
     if (!options.info && options.into.empty() && files != 2)
         throw UsageError("expected IN and OUT, found " + std::to_string(files) +
                          " file(s); several go with --into-dir DIR");
-    for (const std::string& rename : options.edits.renames)
+    for (const std::string& rename : options.renames)
         if (const std::size_t equals = rename.find('=');
             equals == std::string::npos || equals == 0 || equals + 1 == rename.size())
             throw UsageError("--rename-marker needs OLD=NEW, not '" + rename + "'");
@@ -116,6 +119,10 @@ void check_usage(const Options& options)
 void finish_edits(const CommandLine& line, Options& options)
 {
     options.edits.transform = make_transform(options.scale, options.rotate, options.translate);
+    for (const std::string& rename : options.renames) {
+        const std::size_t equals = rename.find('=');
+        options.edits.renames.push_back({rename.substr(0, equals), rename.substr(equals + 1)});
+    }
     std::erase(options.drop_fields, "");
     options.edits.drop_fields = options.drop_fields;
     options.edits.drop_all_fields = line.given("--drop-fields") && options.drop_fields.empty();

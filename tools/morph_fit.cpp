@@ -3,15 +3,15 @@
 #include "formats/case/case_text.h"
 #include "formats/formats.h"
 #include "formats/output_files.h"
-#include "libmorph/basis/fit.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/core/stopwatch.h"
-#include "libmorph/geometry/curve_crossing.h"
-#include "libmorph/mesh/chain.h"
+#include "libmorph/weights/fit_marker.h"
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -29,14 +29,6 @@ struct Options {
     std::vector<std::string> markers;
     FitSettings fit;
     std::string output;
-};
-
-/// A marker with the curve fitted to it.
-struct FittedMarker {
-    std::string name;
-    Chain chain;
-    CurveFit fit;
-    std::vector<Index> corner_ids; ///< file numbers of the vertices at corners
 };
 
 void add_options(CommandLine& line, Options& options)
@@ -63,26 +55,6 @@ void require_each_once(const std::vector<std::string>& markers)
     for (auto name = markers.begin(); name != markers.end(); ++name)
         if (std::find(markers.begin(), name, *name) != name)
             throw UsageError("marker '" + *name + "' is given twice");
-}
-
-Points2 chain_points(const Mesh& mesh, const Chain& chain)
-{
-    return points(mesh)(chain.vertices, {0, 1});
-}
-
-FittedMarker fit_marker(const Mesh& mesh, const std::string& name, const FitSettings& settings)
-{
-    FittedMarker fitted{name, marker_chain(marker(mesh, name), mesh.numbering), {}, {}};
-    try {
-        fitted.fit = fit_curve(chain_points(mesh, fitted.chain), fitted.chain.closed, settings);
-    } catch (const InputError& error) {
-        throw InputError("marker '" + name + "': " + error.what());
-    }
-    for (const Index corner : fitted.fit.corners) {
-        const Index vertex = fitted.chain.vertices[static_cast<std::size_t>(corner)];
-        fitted.corner_ids.push_back(mesh.numbering.vertex[static_cast<std::size_t>(vertex)]);
-    }
-    return fitted;
 }
 
 std::string counted(std::size_t count, const std::string& noun)
@@ -156,20 +128,18 @@ void describe(const std::vector<FittedMarker>& markers, Report& report)
     report.json["boundaries"] = std::move(boundaries);
 }
 
-/// A curve of too few control points may cross itself or its neighbour; morph-deform will not take it.
+/// morph-deform will not take curves that cross.
 void warn_of_crossings(const std::vector<FittedMarker>& markers)
 {
-    const auto place = [](const CurveCrossing& crossing) {
-        return " near (" + short_number(crossing.point.x()) + ", " + short_number(crossing.point.y()) +
-               "); more --points may help";
-    };
-    for (auto a = markers.begin(); a != markers.end(); ++a) {
-        const Curve curve(a->fit.curve);
-        if (const auto crossing = find_self_crossing(curve))
-            warn(kTool, "the curve of '" + a->name + "' crosses itself" + place(*crossing));
-        for (auto b = a + 1; b != markers.end(); ++b)
-            if (const auto crossing = find_crossing(curve, Curve(b->fit.curve)))
-                warn(kTool, "the curves of '" + a->name + "' and '" + b->name + "' cross" + place(*crossing));
+    for (const FittedCrossing& found : fitted_crossings(markers)) {
+        const std::string& first = markers[static_cast<std::size_t>(found.first)].name;
+        const std::string& second = markers[static_cast<std::size_t>(found.second)].name;
+        const Eigen::Vector2d& place = found.crossing.point;
+        warn(kTool,
+             (found.first == found.second ? "the curve of '" + first + "' crosses itself"
+                                          : "the curves of '" + first + "' and '" + second + "' cross") +
+                 " near (" + short_number(place.x()) + ", " + short_number(place.y()) +
+                 "); more --points may help");
     }
 }
 

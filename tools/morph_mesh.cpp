@@ -5,11 +5,11 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
 #include "libmorph/core/stopwatch.h"
-#include "libmorph/quality/metrics.h"
+#include "libmorph/quality/quality.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -29,18 +29,6 @@ struct Settings {
     std::string output;
     std::string to;
 };
-
-double min_angle(const MeshData& mesh)
-{
-    double smallest = 180;
-    for (const Element& element : mesh.elements) {
-        CornerPoints corners;
-        for (int i = 0; i < 3; ++i)
-            corners[i] = mesh.points.row(element[i]);
-        smallest = std::min(smallest, angle_range(planar_shape(corners, 3)).min);
-    }
-    return smallest;
-}
 
 void describe(const MeshData& mesh, const Settings& settings, Report& report)
 {

@@ -2,13 +2,13 @@
 //   morph-quality deformed.su2 --reference naca0012.su2 --list bad.csv --picture worst.png
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/quality/element_metrics.h"
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
 #include "tools/picture/image_kind.h"
 #include "tools/picture/picture.h"
 #include "tools/quality/element_files.h"
-#include "tools/quality/element_metrics.h"
 #include "tools/quality/full_report.h"
 #include "tools/quality/reference.h"
 

@@ -156,35 +156,6 @@ RemapSettings settings_of(const Options& options)
     return settings;
 }
 
-void set_field(Mesh& mesh, Field field)
-{
-    std::erase_if(mesh.fields, [&](const Field& other) {
-        return other.name == field.name && other.location == field.location;
-    });
-    mesh.fields.push_back(std::move(field));
-}
-
-/// 0 for a target in an element, 1 for one outside.
-Field status_field(const TargetLocations& targets)
-{
-    Field status{kStatus, FieldLocation::vertex,
-                 Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
-    for (const Index target : targets.outside)
-        status.values(target, 0) = 1;
-    return status;
-}
-
-Field distance_field(const TargetLocations& targets)
-{
-    Field distance{kDistance, FieldLocation::vertex,
-                   Matrix::Zero(static_cast<Eigen::Index>(targets.elements.face.size()), 1)};
-    for (std::size_t i = 0; i < targets.distance.size(); ++i)
-        distance.values(static_cast<Eigen::Index>(i), 0) = targets.distance[i];
-    for (std::size_t i = 0; i < targets.outside.size(); ++i)
-        distance.values(targets.outside[i], 0) = targets.outside_feet[i].distance;
-    return distance;
-}
-
 bool tells_distance(const Mesh& source, const RemapSettings& settings)
 {
     return source.dimension == 3 || settings.outside == Outside::project;
@@ -216,8 +187,7 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
             return field->location == FieldLocation::element;
         });
     if (to_elements)
-        result.elements =
-            count_targets(remapper.locations(FieldLocation::element), target.numbering.element);
+        result.elements = count_targets(remapper.locations(FieldLocation::element), target.numbering.element);
     result.seconds.locate = watch.lap();
     std::vector<Field> carried = remapper.carry(fields);
     result.nodal_conservation = remapper.conservation(FieldLocation::vertex);
@@ -227,10 +197,10 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
         result.fields.push_back({carried[i].name, carried[i].location, field_totals(source, *fields[i]),
                                  field_totals(target, carried[i])});
     for (Field& field : carried)
-        set_field(target, std::move(field));
-    set_field(target, status_field(targets));
+        set_field(target.fields, std::move(field));
+    set_field(target.fields, {kStatus, FieldLocation::vertex, target_status(targets)});
     if (tells_distance(source, settings))
-        set_field(target, distance_field(targets));
+        set_field(target.fields, {kDistance, FieldLocation::vertex, target_distances(targets)});
 }
 
 int remap(int argc, char** argv)

@@ -18,6 +18,8 @@
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <utility>
 
@@ -29,7 +31,7 @@ constexpr const char* kTool = "morph-remesh";
 struct Options {
     std::string input;
     std::string output;
-    SizeOptions sizes;
+    SizeSettings sizes;
     int iterations = 5;
     double only_bad = 0;
     std::vector<std::string> keep;
@@ -109,7 +111,7 @@ RemeshResult remade(const Mesh& old, const Options& options, const RemeshSetting
     constexpr double kNear = 0.02; // of the number wanted
     if (options.hausdorff > 0)
         return remesh_within(old, options.hausdorff, sizes, settings);
-    const Index vertices = wanted_vertices(old, options.sizes);
+    const Index vertices = target_vertices(old, options.sizes);
     RemeshResult made = remesh(old, sizes, settings);
     for (int i = 0; i < kCorrections && vertices > 0; ++i) {
         const double ratio = static_cast<double>(made.data.points.rows()) / vertices;
@@ -179,8 +181,8 @@ int remesh_file(int argc, char** argv)
     Mesh old = without_inverted(input, options.input, report);
     const RemeshSettings settings = settings_of(old, options);
     RemeshWishes wishes;
-    wishes.sizes = target_sizes(old, options.sizes, settings.features, options.input);
-    wishes.vertices = wanted_vertices(old, options.sizes);
+    wishes.sizes = target_sizes(old, options.sizes, settings.features, options.input + ": ");
+    wishes.vertices = target_vertices(old, options.sizes);
     const GroupRegions regions = group_regions(old);
     Mesh mesh = remeshed(old, regions, options, settings, wishes);
     const double remeshed = watch.lap();

@@ -9,6 +9,8 @@
 #include "tools/picture/image_kind.h"
 #include "tools/picture/picture.h"
 
+#include <nlohmann/json.hpp>
+
 #include <charconv>
 #include <cmath>
 #include <filesystem>

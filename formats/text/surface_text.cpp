@@ -4,11 +4,6 @@
 
 namespace morph {
 
-int dimension_of(const Points& points)
-{
-    return points.rows() == 0 || (points.col(2).array() == 0).all() ? 2 : 3;
-}
-
 void set_points(MeshData& mesh, const std::vector<double>& xyz)
 {
     mesh.points = Eigen::Map<const Points>(xyz.data(), static_cast<Eigen::Index>(xyz.size() / 3), 3);

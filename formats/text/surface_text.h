@@ -14,9 +14,6 @@ namespace morph {
 /// coordinate through single precision, skip what they do not understand without a word, know no line
 /// numbers, and take counts in a header on trust.
 
-/// 2 when z = 0 throughout, else 3.
-int dimension_of(const Points& points);
-
 /// Points from x, y, z, one after another, with the dimension they have.
 void set_points(MeshData& mesh, const std::vector<double>& xyz);
 

@@ -8,6 +8,13 @@
 
 namespace morph {
 
+Mesh::Mesh() = default;
+Mesh::Mesh(const Mesh& other) = default;
+Mesh::Mesh(Mesh&& other) noexcept(false) = default;
+Mesh& Mesh::operator=(const Mesh& other) = default;
+Mesh& Mesh::operator=(Mesh&& other) noexcept(false) = default;
+Mesh::~Mesh() = default;
+
 Element element_corners(const Mesh& mesh, Index face)
 {
     Element corners{-1, -1, -1, -1};

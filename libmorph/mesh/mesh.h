@@ -24,6 +24,14 @@ struct Numbering {
 /// Row i of every matrix, and every index in markers and fields, is vertex i (or face i) of the kernel.
 /// In a planar mesh the elements run counter-clockwise (unless inverted); the kernel has no deleted items.
 struct Mesh {
+    // In mesh.cpp, as each takes a compiler over a second.
+    Mesh();
+    Mesh(const Mesh& other);
+    Mesh(Mesh&& other) noexcept(false); ///< OpenMesh copies the kernel
+    Mesh& operator=(const Mesh& other);
+    Mesh& operator=(Mesh&& other) noexcept(false);
+    ~Mesh();
+
     int dimension = 2; ///< 2: planar, z = 0 throughout · 3: surface in space
     Kernel kernel;
     Numbering numbering;

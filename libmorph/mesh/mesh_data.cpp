@@ -1,6 +1,7 @@
 #include "libmorph/mesh/mesh_data.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace morph {
 
@@ -16,6 +17,18 @@ const Field* find_field(const std::vector<Field>& fields, const std::string& nam
     const auto found = std::find_if(fields.begin(), fields.end(),
                                     [&](const Field& f) { return f.name == name && f.location == location; });
     return found == fields.end() ? nullptr : &*found;
+}
+
+void set_field(std::vector<Field>& fields, Field field)
+{
+    std::erase_if(fields,
+                  [&](const Field& f) { return f.name == field.name && f.location == field.location; });
+    fields.push_back(std::move(field));
+}
+
+int dimension_of(const Points& points)
+{
+    return points.rows() == 0 || (points.col(2).array() == 0).all() ? 2 : 3;
 }
 
 } // namespace morph

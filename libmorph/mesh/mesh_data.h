@@ -66,4 +66,10 @@ const Marker* find_marker(const std::vector<Marker>& markers, const std::string&
 /// Field of that name and place, or null.
 const Field* find_field(const std::vector<Field>& fields, const std::string& name, FieldLocation location);
 
+/// Add a field at the end; one of its name and place goes.
+void set_field(std::vector<Field>& fields, Field field);
+
+/// 2 where all points have z = 0, else 3.
+int dimension_of(const Points& points);
+
 } // namespace morph

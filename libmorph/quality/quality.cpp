@@ -166,4 +166,17 @@ std::vector<Index> inverted_elements(const Mesh& mesh, const PositionsView& posi
     return tally(mesh, ElementLoop(mesh, positions, nullptr)).inverted;
 }
 
+double min_angle(const MeshData& mesh)
+{
+    double smallest = 180;
+    for (const Element& element : mesh.elements) {
+        const int corners = corner_count(element);
+        CornerPoints at;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i)
+            at[i] = mesh.points.row(element[i]);
+        smallest = std::min(smallest, angle_range(planar_shape(at, corners)).min);
+    }
+    return smallest;
+}
+
 } // namespace morph

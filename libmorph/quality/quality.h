@@ -83,4 +83,7 @@ std::vector<ElementQuality> element_quality(const Mesh& mesh, const PositionsVie
 /// @throws InputError  positions has a wrong number of rows
 std::vector<Index> inverted_elements(const Mesh& mesh, const PositionsView& positions);
 
+/// Smallest angle inside the elements of a planar mesh that is not built yet, degrees; 180 without elements.
+double min_angle(const MeshData& mesh);
+
 } // namespace morph

@@ -107,4 +107,40 @@ TargetLocations locate_targets(const Locator& source, Points targets)
     return result;
 }
 
+TargetCounts count_targets(const TargetLocations& locations, const std::vector<Index>& file_numbers)
+{
+    TargetCounts counts;
+    counts.targets = locations.elements.face.size();
+    counts.outside = locations.outside.size();
+    for (std::size_t i = 0; i < locations.outside.size(); ++i) {
+        const Index number = file_numbers[static_cast<std::size_t>(locations.outside[i])];
+        const double distance = locations.outside_feet[i].distance;
+        if (counts.farthest < 0 || distance > counts.distance ||
+            (distance == counts.distance && number < counts.farthest)) {
+            counts.farthest = number;
+            counts.distance = distance;
+            counts.where = locations.points.row(locations.outside[i]);
+        }
+    }
+    return counts;
+}
+
+Matrix target_status(const TargetLocations& locations)
+{
+    Matrix status = Matrix::Zero(static_cast<Eigen::Index>(locations.elements.face.size()), 1);
+    for (const Index target : locations.outside)
+        status(target, 0) = 1;
+    return status;
+}
+
+Matrix target_distances(const TargetLocations& locations)
+{
+    Matrix distance = Matrix::Zero(static_cast<Eigen::Index>(locations.elements.face.size()), 1);
+    for (std::size_t i = 0; i < locations.distance.size(); ++i)
+        distance(static_cast<Eigen::Index>(i), 0) = locations.distance[i];
+    for (std::size_t i = 0; i < locations.outside.size(); ++i)
+        distance(locations.outside[i], 0) = locations.outside_feet[i].distance;
+    return distance;
+}
+
 } // namespace morph

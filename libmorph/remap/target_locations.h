@@ -26,4 +26,23 @@ struct TargetLocations {
 /// @throws InputError  see Locator::locate(); the source has no element
 TargetLocations locate_targets(const Locator& source, Points targets);
 
+/// How many of some targets lie outside the source, and how far.
+struct TargetCounts {
+    std::size_t targets = 0;
+    std::size_t outside = 0;
+    Index farthest = -1;      ///< file number of the target farthest from the source; -1: none is outside
+    Eigen::RowVector3d where; ///< it lies here
+    double distance = 0;      ///< so far from the source, length unit of the mesh
+};
+
+/// Count the targets outside and find the farthest of them; of equally far ones that with the lowest number.
+/// @param file_numbers  n: of the targets
+TargetCounts count_targets(const TargetLocations& locations, const std::vector<Index>& file_numbers);
+
+/// n x 1: 0 for a target inside, 1 for one outside.
+Matrix target_status(const TargetLocations& locations);
+
+/// n x 1: the distance of each target from the source; 0 inside a planar source.
+Matrix target_distances(const TargetLocations& locations);
+
 } // namespace morph

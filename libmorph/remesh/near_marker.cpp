@@ -41,4 +41,14 @@ std::vector<bool> elements_near(const Mesh& mesh, const Marker& marker, double d
     return found;
 }
 
+void keep_zones(const Mesh& mesh, const std::vector<KeptZone>& zones, std::vector<bool>& kept)
+{
+    for (const KeptZone& zone : zones) {
+        const std::vector<bool> near = elements_near(mesh, marker(mesh, zone.marker), zone.distance);
+        kept.resize(near.size(), false);
+        for (std::size_t f = 0; f < near.size(); ++f)
+            kept[f] = kept[f] || near[f];
+    }
+}
+
 } // namespace morph

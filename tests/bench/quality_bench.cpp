@@ -2,7 +2,7 @@
 // same elements.
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
-#include "libmorph/quality/element_place.h"
+#include "libmorph/quality/full_quality.h"
 #include "libmorph/quality/quality.h"
 #include "libmorph/quality/safe_step.h"
 #include "libmorph/quality/wall.h"

@@ -211,27 +211,6 @@ TEST(MorphQuality, WritesEveryMetricOfEveryElementAsCsvAndVtu)
     }
 }
 
-TEST(MorphQuality, ListsCornerJacobiansInTheOrderOfTheFilesCorners)
-{
-    const TemporaryFolder folder;
-    MeshData mesh = test::quad_square(2);
-    mesh.points.row(4) = Eigen::RowVector3d(0.6, 0.35, 0); // the middle one: all corners differ
-    for (Element& element : mesh.elements)
-        std::swap(element[1], element[3]); // clockwise, as some files list them
-    write_mesh_data(mesh, folder.file("mesh.su2"));
-    ASSERT_EQ(quality({folder.file("mesh.su2"), "--vtu", folder.file("m.vtu"), "--quiet"}).status, 0);
-    const MeshData metrics = read_mesh_data(folder.file("m.vtu"));
-    for (std::size_t e = 0; e < 4; ++e)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Element& q = mesh.elements[e];
-            const Field* field = find_field(metrics.fields, "corner_jacobian_" + std::to_string(k + 1),
-                                            FieldLocation::element);
-            ASSERT_NE(field, nullptr);
-            EXPECT_DOUBLE_EQ(field->values(static_cast<Index>(e), 0),
-                             -twice_area(mesh, q[k], q[(k + 1) % 4], q[(k + 3) % 4]));
-        }
-}
-
 TEST(MorphQuality, TellsTheWorstElementsWithTheirPlace)
 {
     const TemporaryFolder folder;
@@ -311,34 +290,6 @@ TEST(MorphQuality, TellsWhatAMoveDidToTheCellsBesideTheWalls)
     }
     EXPECT_THAT(result.output, HasSubstr("beside bottom: first cells 0.225 to 0.225 high"));
     EXPECT_THAT(result.output, HasSubstr("changed at most by 10 % (element "));
-}
-
-TEST(MorphQuality, ShowsTheCellsBesideTheWallsAsFields)
-{
-    const TemporaryFolder folder;
-    MeshData mesh = test::quad_square(4);
-    for (Index v = 0; v < mesh.points.rows(); ++v) // an even grid of columns twice as high as wide
-        mesh.points.row(v) << 0.25 * (v % 5), 0.5 * std::floor(v / 5.0), 0;
-    write_mesh_data(mesh, folder.file("mesh.su2"));
-    ASSERT_EQ(quality({folder.file("mesh.su2"), "--vtu", folder.file("m.vtu"), "--quiet"}).status, 0);
-    const MeshData metrics = read_mesh_data(folder.file("m.vtu"));
-    const Field* height = find_field(metrics.fields, "first_cell_height", FieldLocation::element);
-    ASSERT_NE(height, nullptr);
-    EXPECT_EQ(find_field(metrics.fields, "height_change", FieldLocation::element), nullptr);
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        Eigen::RowVector3d centroid = Eigen::RowVector3d::Zero();
-        for (const Index v : mesh.elements[e])
-            centroid += mesh.points.row(v) / 4;
-        const bool beside_left_or_right = std::abs(centroid.x() - 0.5) > 0.25;
-        const bool beside_bottom_or_top = std::abs(centroid.y() - 1) > 0.5;
-        const double value = height->values(static_cast<Index>(e), 0);
-        if (beside_left_or_right) // in the corners the smaller of both
-            EXPECT_DOUBLE_EQ(value, 0.25);
-        else if (beside_bottom_or_top)
-            EXPECT_DOUBLE_EQ(value, 0.5);
-        else
-            EXPECT_TRUE(std::isnan(value));
-    }
 }
 
 TEST(MorphQuality, DrawsTheWorstSpotOfAValidMeshToo)

@@ -3,6 +3,8 @@
 #include "libmorph/core/names.h"
 #include "tools/common/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace morph::tools {

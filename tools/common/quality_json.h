@@ -2,7 +2,7 @@
 
 #include "libmorph/quality/quality.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

@@ -1,14 +1,20 @@
 #include "tools/common/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <iostream>
 
 namespace morph::tools {
 
-Report::Report(const CommonOptions& options) : options_(options)
+Report::Report(const CommonOptions& options)
+    : options_(options), json_(std::make_unique<nlohmann::ordered_json>(nlohmann::ordered_json::object())),
+      json(*json_)
 {
     if (!options_.json.empty() && options_.json != "-")
         OutputFiles::require_writable(options_.json);
 }
+
+Report::~Report() = default;
 
 void Report::say(const std::string& line)
 {

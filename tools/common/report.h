@@ -3,8 +3,9 @@
 #include "formats/output_files.h"
 #include "tools/common/command_line.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include <memory>
 #include <string>
 
 namespace morph::tools {
@@ -16,9 +17,9 @@ public:
     /// Makes sure that the JSON file can be written, before the tool's work.
     /// @throws InputError  the file cannot be written
     explicit Report(const CommonOptions& options);
-
-    /// The report's fields, written in the order they are set.
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    ~Report();
+    Report(const Report&) = delete;
+    Report& operator=(const Report&) = delete;
 
     /// Add a line to the summary.
     void say(const std::string& line);
@@ -32,6 +33,11 @@ public:
 private:
     CommonOptions options_;
     std::string summary_;
+    std::unique_ptr<nlohmann::ordered_json> json_; ///< declared before the reference to it
+
+public:
+    /// The report's fields, written in the order they are set.
+    nlohmann::ordered_json& json;
 };
 
 } // namespace morph::tools

@@ -5,6 +5,8 @@
 #include "tools/common/quality_json.h"
 #include "tools/common/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 

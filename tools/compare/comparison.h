@@ -3,7 +3,7 @@
 #include "libmorph/quality/quality.h"
 #include "tools/compare/method.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <string>

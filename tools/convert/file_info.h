@@ -3,7 +3,7 @@
 #include "formats/format.h"
 #include "libmorph/mesh/mesh_data.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

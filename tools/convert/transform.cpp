@@ -1,11 +1,9 @@
 #include "tools/convert/transform.h"
 
-#include "formats/text/surface_text.h"
 #include "tools/common/run.h"
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace morph::tools {
@@ -52,19 +50,7 @@ Eigen::RowVector3d lengths(const std::string& text)
     return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0};
 }
 
-/// Cosine and sine, exact at quarter turns so that a mesh turned by 90 degrees stays planar and aligned.
-std::array<double, 2> direction(double degrees)
-{
-    const double quarters = degrees / 90;
-    if (quarters == std::floor(quarters)) {
-        constexpr std::array<std::array<double, 2>, 4> exact{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-        return exact.at(static_cast<std::size_t>(quarters - 4 * std::floor(quarters / 4)));
-    }
-    const double angle = degrees * std::numbers::pi / 180;
-    return {std::cos(angle), std::sin(angle)};
-}
-
-Eigen::Matrix3d rotation(const std::string& text)
+Eigen::Matrix3d rotation_of(const std::string& text)
 {
     int axis = 2;
     std::string degrees = text;
@@ -76,34 +62,21 @@ Eigen::Matrix3d rotation(const std::string& text)
     if (numbers.size() != 1)
         throw UsageError("--rotate needs degrees about the z axis, or an axis in front as in x:90, not '" +
                          text + "'");
-    const auto [cosine, sine] = direction(numbers[0]);
-    const int first = (axis + 1) % 3;
-    const int second = (axis + 2) % 3;
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn(first, first) = turn(second, second) = cosine;
-    turn(second, first) = sine;
-    turn(first, second) = -sine;
-    return turn;
+    return rotation(axis, numbers[0]);
 }
 
 } // namespace
 
-void Transform::apply(MeshData& mesh) const
+std::optional<Transform> make_transform(const std::string& scale, const std::string& rotate,
+                                        const std::string& translate)
 {
-    if (!moves)
-        return;
-    mesh.points = ((mesh.points * linear.transpose()).rowwise() + shift).eval();
-    mesh.dimension = dimension_of(mesh.points);
-}
-
-Transform make_transform(const std::string& scale, const std::string& rotate, const std::string& translate)
-{
+    if (scale.empty() && rotate.empty() && translate.empty())
+        return std::nullopt;
     Transform transform;
-    transform.moves = !scale.empty() || !rotate.empty() || !translate.empty();
     if (!scale.empty())
         transform.linear = factors(scale).asDiagonal();
     if (!rotate.empty())
-        transform.linear = rotation(rotate) * transform.linear;
+        transform.linear = rotation_of(rotate) * transform.linear;
     if (!translate.empty())
         transform.shift = lengths(translate);
     return transform;

@@ -3,6 +3,8 @@
 #include "libmorph/core/names.h"
 #include "tools/common/quality_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <utility>
 

@@ -55,12 +55,8 @@ void write_elements(OutputFile& file, const MeshData& data, const std::vector<Fi
 
 void add_metric_fields(MeshData& data, std::vector<Field> metrics)
 {
-    for (Field& metric : metrics) {
-        std::erase_if(data.fields, [&](const Field& field) {
-            return field.name == metric.name && field.location == FieldLocation::element;
-        });
-        data.fields.push_back(std::move(metric));
-    }
+    for (Field& metric : metrics)
+        set_field(data.fields, std::move(metric));
 }
 
 } // namespace morph::tools

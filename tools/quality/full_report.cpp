@@ -4,6 +4,8 @@
 #include "tools/common/quality_json.h"
 #include "tools/quality/text_table.h"
 
+#include <nlohmann/json.hpp>
+
 namespace morph::tools {
 
 namespace {
@@ -131,17 +133,6 @@ void say_wall(const WallQuality& wall, Report& report)
 }
 
 } // namespace
-
-FullQuality full_quality(const Mesh& mesh, const PositionsView* reference)
-{
-    FullQuality quality;
-    quality.summary =
-        reference == nullptr ? quality_report(mesh) : quality_report(mesh, points(mesh), *reference);
-    for (const WorstElement& worst : quality.summary.worst)
-        quality.worst_places.push_back(element_place(mesh, points(mesh), worst.face));
-    quality.walls = wall_quality(mesh, points(mesh), reference);
-    return quality;
-}
 
 void describe(const FullQuality& quality, Report& report)
 {

@@ -2,6 +2,8 @@
 
 #include "libmorph/core/names.h"
 
+#include <nlohmann/json.hpp>
+
 namespace morph::tools {
 
 namespace {
@@ -131,24 +133,6 @@ void describe_targets(const RemapResult& result, Report& report)
 }
 
 } // namespace
-
-TargetCounts count_targets(const TargetLocations& targets, const std::vector<Index>& file_numbers)
-{
-    TargetCounts counts;
-    counts.targets = targets.elements.face.size();
-    counts.outside = targets.outside.size();
-    for (std::size_t i = 0; i < targets.outside.size(); ++i) {
-        const Index number = file_numbers[static_cast<std::size_t>(targets.outside[i])];
-        const double distance = targets.outside_feet[i].distance;
-        if (counts.farthest < 0 || distance > counts.distance ||
-            (distance == counts.distance && number < counts.farthest)) {
-            counts.farthest = number;
-            counts.distance = distance;
-            counts.where = targets.points.row(targets.outside[i]);
-        }
-    }
-    return counts;
-}
 
 std::string outside_warning(const TargetCounts& counts, const std::string& what)
 {

@@ -10,15 +10,6 @@
 
 namespace morph::tools {
 
-/// Where the targets of one kind lie.
-struct TargetCounts {
-    std::size_t targets = 0;
-    std::size_t outside = 0;
-    Index farthest = -1;      ///< file number of the target farthest from the source; -1: none is outside
-    Eigen::RowVector3d where; ///< it lies here
-    double distance = 0;      ///< so far from the source
-};
-
 /// Smallest, largest value and integral of a field before and after.
 struct FieldChange {
     std::string name;
@@ -47,10 +38,6 @@ struct RemapResult {
     std::optional<Conservation> element_conservation;
     RemapSeconds seconds;
 };
-
-/// Count the targets outside and find the farthest of them.
-/// @param file_numbers  of the targets
-TargetCounts count_targets(const TargetLocations& targets, const std::vector<Index>& file_numbers);
 
 /// "183 of 4055 targets (4.5 %) lie outside the source, ..." when more than 1 % do; else empty.
 std::string outside_warning(const TargetCounts& counts, const std::string& what);

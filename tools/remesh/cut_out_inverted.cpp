@@ -6,6 +6,8 @@
 #include "libmorph/remesh/bad_region.h"
 #include "libmorph/remesh/retriangulate.h"
 
+#include <nlohmann/json.hpp>
+
 namespace morph::tools {
 
 namespace {

@@ -1,6 +1,5 @@
 #include "tools/remesh/keep_option.h"
 
-#include "libmorph/remesh/near_marker.h"
 #include "tools/common/command_line.h"
 #include "tools/common/run.h"
 
@@ -32,16 +31,6 @@ std::vector<KeptZone> kept_zones(const std::vector<std::string>& texts)
         zones.push_back({text.substr(0, colon), *distance});
     }
     return zones;
-}
-
-void keep_zones(const Mesh& mesh, const std::vector<KeptZone>& zones, std::vector<bool>& kept)
-{
-    for (const KeptZone& zone : zones) {
-        const std::vector<bool> near = elements_near(mesh, marker(mesh, zone.marker), zone.distance);
-        kept.resize(near.size(), false);
-        for (std::size_t f = 0; f < near.size(); ++f)
-            kept[f] = kept[f] || near[f];
-    }
 }
 
 } // namespace morph::tools

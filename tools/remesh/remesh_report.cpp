@@ -9,6 +9,8 @@
 #include "tools/common/quality_json.h"
 #include "tools/common/run.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <numeric>
 #include <vector>

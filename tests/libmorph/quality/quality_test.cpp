@@ -4,7 +4,7 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
-#include "libmorph/quality/element_place.h"
+#include "libmorph/quality/full_quality.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -285,6 +285,13 @@ TEST(QualityReport, OfAMeshWithoutElementsIsAllZero)
     EXPECT_EQ(report.min_scaled_jacobian, 0);
     EXPECT_EQ(report.mean_scaled_jacobian, 0);
     EXPECT_EQ(report.min_angle, 0);
+}
+
+TEST(MinAngle, OfAMeshThatIsNotBuiltYetIsThatOfTheReport)
+{
+    for (const MeshData& data : {test::uneven_square(6), test::quad_square(6)})
+        EXPECT_NEAR(min_angle(data), quality_report(build_mesh(data)).min_angle, 1e-12);
+    EXPECT_EQ(min_angle(MeshData{}), 180);
 }
 
 TEST(ElementPlace, IsTheMeanOfTheCornersWithTheNearestMarker)

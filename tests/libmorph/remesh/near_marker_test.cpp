@@ -1,6 +1,7 @@
 #include "libmorph/remesh/near_marker.h"
 
 #include "libmorph/mesh/builder.h"
+#include "tests/support/errors.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,27 @@ TEST(NearMarker, MeasuresOnASurfaceInSpaceAndToTheMiddleOfLongEdges)
     }
     const std::vector<bool> none = elements_near(mesh, {"empty", {}}, kDistance);
     EXPECT_EQ(std::count(none.begin(), none.end(), true), 0);
+}
+
+TEST(NearMarker, MarksTheElementsOfAllZonesBesidesThoseMarked)
+{
+    const Mesh mesh = build_mesh(test::annulus(1, 3, 40, 10));
+    std::vector<bool> kept;
+    keep_zones(mesh, {}, kept);
+    EXPECT_TRUE(kept.empty());
+    keep_zones(mesh, {{"inner", 0.3}, {"outer", 0}}, kept);
+    const std::vector<bool> inner = elements_near(mesh, marker(mesh, "inner"), 0.3);
+    const std::vector<bool> outer = elements_near(mesh, marker(mesh, "outer"), 0);
+    ASSERT_EQ(kept.size(), inner.size());
+    for (std::size_t f = 0; f < kept.size(); ++f)
+        EXPECT_EQ(kept[f], inner[f] || outer[f]);
+    std::vector<bool> all(inner.size(), true);
+    keep_zones(mesh, {{"inner", 0.3}}, all);
+    EXPECT_EQ(std::count(all.begin(), all.end(), false), 0);
+    EXPECT_NE(test::message_of([&] {
+                  keep_zones(mesh, {{"iner", 0.1}}, kept);
+              }).find("did you mean 'inner'"),
+              std::string::npos);
 }
 
 } // namespace

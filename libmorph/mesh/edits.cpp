@@ -1,4 +1,4 @@
-#include "tools/convert/edits.h"
+#include "libmorph/mesh/edits.h"
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
@@ -6,8 +6,12 @@
 #include "libmorph/mesh/triangulate.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -32,19 +36,17 @@ std::vector<std::string> copies(const std::vector<std::string*>& names)
 }
 
 /// All renames at once, so that two names can be exchanged.
-void rename_parts(const std::vector<std::string>& renames, MeshData& mesh)
+void rename_parts(const std::vector<Rename>& renames, MeshData& mesh)
 {
     const std::vector<std::string*> names = part_names(mesh);
     const std::vector<std::string> old_names = copies(names);
-    for (const std::string& rename : renames) {
-        const std::size_t equals = rename.find('=');
-        const std::string from = rename.substr(0, equals);
+    for (const auto& [from, to] : renames) {
         const auto found = std::find(old_names.begin(), old_names.end(), from);
         if (found == old_names.end())
             throw InputError("has no marker or group '" + from + "' to rename, but " +
                              (old_names.empty() ? "none at all" : joined(old_names)) +
                              did_you_mean(from, old_names));
-        *names[static_cast<std::size_t>(found - old_names.begin())] = rename.substr(equals + 1);
+        *names[static_cast<std::size_t>(found - old_names.begin())] = to;
     }
     std::vector<std::string> markers;
     for (const Marker& marker : mesh.markers)
@@ -84,17 +86,48 @@ std::vector<std::string> merge(double tolerance, MeshData& mesh)
     return warnings;
 }
 
+/// Cosine and sine, exact at quarter turns so that a mesh turned by 90 degrees stays planar and aligned.
+std::array<double, 2> direction(double degrees)
+{
+    const double quarters = degrees / 90;
+    if (quarters == std::floor(quarters)) {
+        constexpr std::array<std::array<double, 2>, 4> exact{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+        return exact.at(static_cast<std::size_t>(quarters - 4 * std::floor(quarters / 4)));
+    }
+    const double angle = degrees * std::numbers::pi / 180;
+    return {std::cos(angle), std::sin(angle)};
+}
+
 } // namespace
+
+Eigen::Matrix3d rotation(int axis, double degrees)
+{
+    const auto [cosine, sine] = direction(degrees);
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn(first, first) = turn(second, second) = cosine;
+    turn(second, first) = sine;
+    turn(first, second) = -sine;
+    return turn;
+}
+
+void apply_transform(const Transform& transform, MeshData& mesh)
+{
+    mesh.points = ((mesh.points * transform.linear.transpose()).rowwise() + transform.shift).eval();
+    mesh.dimension = dimension_of(mesh.points);
+}
 
 std::vector<std::string> apply_edits(const Edits& edits, MeshData& mesh)
 {
     rename_parts(edits.renames, mesh);
     drop_fields(edits, mesh);
     std::vector<std::string> warnings = merge(edits.merge_tolerance, mesh);
-    edits.transform.apply(mesh);
+    if (edits.transform)
+        apply_transform(*edits.transform, mesh);
     if (edits.triangulate)
         mesh = triangulated(std::move(mesh));
     return warnings;
 }
 
-} // namespace morph::tools
+} // namespace morph

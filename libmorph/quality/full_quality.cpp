@@ -1,4 +1,4 @@
-#include "libmorph/quality/element_place.h"
+#include "libmorph/quality/full_quality.h"
 
 #include "libmorph/core/error.h"
 
@@ -40,6 +40,17 @@ ElementPlace element_place(const Mesh& mesh, const PositionsView& positions, Ind
             place.nearest_marker = marker.name;
         }
     return place;
+}
+
+FullQuality full_quality(const Mesh& mesh, const PositionsView* reference)
+{
+    FullQuality quality;
+    quality.summary =
+        reference == nullptr ? quality_report(mesh) : quality_report(mesh, points(mesh), *reference);
+    for (const WorstElement& worst : quality.summary.worst)
+        quality.worst_places.push_back(element_place(mesh, points(mesh), worst.face));
+    quality.walls = wall_quality(mesh, points(mesh), reference);
+    return quality;
 }
 
 } // namespace morph

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/quality/quality.h"
+#include "libmorph/quality/wall.h"
 
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace morph {
 
@@ -20,5 +22,17 @@ struct ElementPlace {
 /// markers is named. Looks at every edge of every marker: for a few elements.
 /// @throws InputError  positions has another number of rows than the mesh has vertices
 ElementPlace element_place(const Mesh& mesh, const PositionsView& positions, Index face);
+
+/// Everything there is to say about the quality of a mesh.
+struct FullQuality {
+    QualityReport summary;
+    std::vector<ElementPlace> worst_places; ///< of summary.worst
+    std::vector<WallQuality> walls;
+};
+
+/// Quality of all of a mesh where it is, with the places of its worst elements.
+/// @param reference  positions before the move (n x 3), or null: adds f_ss and the changes next to walls
+/// @throws InputError  reference has a wrong number of rows
+FullQuality full_quality(const Mesh& mesh, const PositionsView* reference = nullptr);
 
 } // namespace morph

@@ -1,4 +1,4 @@
-#include "tools/quality/element_metrics.h"
+#include "libmorph/quality/element_metrics.h"
 
 #include "libmorph/quality/wall.h"
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<Field> element_metrics(const Mesh& mesh, const PositionsView* refere
     return fields.take();
 }
 
-} // namespace morph::tools
+} // namespace morph
