@@ -80,7 +80,7 @@ bench: bench-deps
 lint: deps
 	@cmake --preset lint >/dev/null
 	@clang-format-14 --dry-run -Werror $(SOURCES)
-	@printf '%s\n' $(filter %.cpp,$(filter-out tests/fuzz/% tests/bench/% tests/install/%,$(SOURCES))) | \
+	@printf '%s\n' $(filter %.cpp,$(filter-out tests/fuzz/% tests/bench/%,$(SOURCES))) | \
 	    xargs -P $(JOBS) -n 4 clang-tidy-14 -p build/lint --quiet
 
 install: build

@@ -9,7 +9,11 @@ install(TARGETS morph morph_formats EXPORT libmorphTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT libmorphTargets NAMESPACE morph:: DESTINATION ${MORPH_CMAKE_DIR})
-install(DIRECTORY libmorph formats DESTINATION ${MORPH_INCLUDE_DIR} FILES_MATCHING PATTERN "*.h")
+include(MorphPublicHeaders)
+foreach(header IN LISTS MORPH_PUBLIC_HEADERS)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${MORPH_INCLUDE_DIR}/${folder})
+endforeach()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libmorph)
 
 configure_package_config_file(cmake/libmorphConfig.cmake.in ${PROJECT_BINARY_DIR}/libmorphConfig.cmake

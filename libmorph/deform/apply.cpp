@@ -10,10 +10,10 @@ namespace morph {
 namespace {
 
 constexpr std::size_t kRowsPerBlock = 16384;
-constexpr std::size_t kTogether = 4; ///< rows
-constexpr std::size_t kAhead = 24;   ///< rows: long enough for memory to answer
+constexpr std::size_t kRowsAtOnce = 4; ///< rows
+constexpr std::size_t kAhead = 24;     ///< rows: long enough for memory to answer
 
-/// Ask for `kTogether` rows from row @p first on, before they are needed: what the processor fetches by
+/// Ask for `kRowsAtOnce` rows from row @p first on, before they are needed: what the processor fetches by
 /// itself reaches two thirds of the bandwidth that this does. Always inline, because GCC takes a function
 /// that only prefetches for one without effect and drops the call.
 [[gnu::always_inline]] inline void prefetch_rows(const Matrix& W, const Eigen::Map<Points>& X,
@@ -21,9 +21,9 @@ constexpr std::size_t kAhead = 24;   ///< rows: long enough for memory to answer
 {
     constexpr std::size_t kLine = 64 / sizeof(double);
     const auto columns = static_cast<std::size_t>(W.cols());
-    for (std::size_t k = 0; k < kTogether * columns; k += kLine)
+    for (std::size_t k = 0; k < kRowsAtOnce * columns; k += kLine)
         __builtin_prefetch(W.data() + first * columns + k);
-    for (std::size_t k = 0; k < kTogether * 3; k += kLine)
+    for (std::size_t k = 0; k < kRowsAtOnce * 3; k += kLine)
         __builtin_prefetch(X.data() + first * 3 + k, 1);
 }
 
@@ -51,10 +51,10 @@ void move_rows(const Matrix& W, const Matrix& D, Eigen::Map<Points>& X, std::siz
 {
     const auto last = static_cast<std::size_t>(W.rows());
     std::size_t i = begin;
-    for (; i + kTogether <= end; i += kTogether) {
-        if (i + kAhead + kTogether <= last)
+    for (; i + kRowsAtOnce <= end; i += kRowsAtOnce) {
+        if (i + kAhead + kRowsAtOnce <= last)
             prefetch_rows(W, X, i + kAhead);
-        move_some<components, kTogether>(W, D, X, i);
+        move_some<components, kRowsAtOnce>(W, D, X, i);
     }
     for (; i < end; ++i)
         move_some<components, 1>(W, D, X, i);

@@ -40,7 +40,7 @@ public:
 
     void bound(const std::string& name, const Bound& bound) const
     {
-        if (!(bound.value >= 0) || bound.value > kLargest)
+        if (!(bound.value >= 0) || bound.value > kLargestBound)
             throw InputError("constraint '" + name + "' asks for a length of " + std::to_string(bound.value) +
                              ", but it must be finite and not negative");
     }
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    static constexpr double kLargest = 1e300;
+    static constexpr double kLargestBound = 1e300;
 
     void points(const std::string& what, const ControlledPoints& points) const
     {

@@ -10,7 +10,7 @@ namespace morph {
 namespace {
 
 constexpr double kDependent = 1e-10; ///< part of a unit row outside of the active ones that is taken for 0
-constexpr double kMet = 1e-13;       ///< of the size of the numbers in a row
+constexpr double kTolerance = 1e-13; ///< of the size of the numbers in a row
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The dual active set, on rows of length 1.
@@ -43,7 +43,7 @@ public:
 
 private:
     double missing(Eigen::Index p) const { return b_[p] - A_.row(p).dot(x_); }
-    double tolerance(Eigen::Index p) const { return kMet * (1 + std::abs(b_[p]) + x_.norm()); }
+    double tolerance(Eigen::Index p) const { return kTolerance * (1 + std::abs(b_[p]) + x_.norm()); }
 
     Eigen::Index worst_inequality() const
     {

@@ -12,7 +12,7 @@ namespace morph {
 
 namespace {
 
-constexpr double kCaution = 0.5; // part of the safe step that is taken: beyond it elements are thin already
+constexpr double kSafeStepShare = 0.5; // of the safe step is taken: beyond it elements are thin already
 
 /// The way of the held vertices.
 class BoundaryPath {
@@ -87,7 +87,7 @@ int move_as_safe(Mesh& mesh, const BoundaryPath& path, const BoundaryMove& move)
             points(mesh) = whole;
             return step;
         }
-        done += kCaution * safe * (1 - done);
+        done += kSafeStepShare * safe * (1 - done);
         points(mesh) = moved_to(mesh, path.held(), path.at(done), move);
     }
 }

@@ -19,7 +19,7 @@ constexpr double kMet = 1e-13;       ///< violation that counts as none
 constexpr double kRounding = 1e-12;  ///< violation that rounding may leave
 constexpr double kSmallStep = 1e-9;  ///< part of the size of y; a step of Newton leaves the square of it
 constexpr double kShortest = 1e-6;   ///< part of a step that a line search still tries
-constexpr double kEnough = 1e-4;     ///< part of the predicted decrease that it asks for
+constexpr double kArmijo = 1e-4;     ///< part of the predicted decrease that it asks for
 constexpr double kCorrection = 0.5;  ///< of a step, at most
 constexpr double kNoise = 1e-14;     ///< of a merit, from rounding
 constexpr double kInvolved = 1e-6;   ///< part that a condition has in a contradiction, of the largest part
@@ -189,7 +189,7 @@ private:
         const double before = merit(y_, now_.values);
         const double slope = y_.dot(s) - penalties_.dot(violations(now_.values));
         const auto merit_of = [this](const auto& y, const auto& values) { return merit(y, values); };
-        const auto bound = [&](double part) { return before + kEnough * part * slope + kNoise * before; };
+        const auto bound = [&](double part) { return before + kArmijo * part * slope + kNoise * before; };
         multipliers_ = program.multipliers;
         if (take_if(start + s, bound(1), merit_of) || take_if(start + corrected(s), bound(1), merit_of))
             return s.norm();
@@ -220,7 +220,7 @@ private:
             return violations(values).squaredNorm();
         };
         for (double part = 1; part > kShortest; part /= 2)
-            if (take_if(start + part * s, before + kEnough * part * slope, merit_of))
+            if (take_if(start + part * s, before + kArmijo * part * slope, merit_of))
                 return part * s.norm();
         return 0;
     }

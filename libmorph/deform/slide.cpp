@@ -13,7 +13,7 @@ namespace morph {
 
 namespace {
 
-constexpr double kClosest = 0.1; // of their distance, to which neighbours may come together
+constexpr double kLeastDistanceRatio = 0.1; // of their distance, to which neighbours may come together
 
 /// A line that nodes slide along, by a parameter that grows along it: of the curve, or arc length along the
 /// marker. A straight marker goes on beyond its ends, which may move.
@@ -136,8 +136,8 @@ std::vector<double> let_slide(const std::vector<double>& start, const std::vecto
         const std::size_t next = (i + 1) % start.size();
         const double gap = difference(even[next], even[i], period);
         const double closing = ((target[i] - even[i]) - (target[next] - even[next])) * (gap < 0 ? -1 : 1);
-        if (closing > (1 - kClosest) * std::abs(gap))
-            part = std::min(part, (1 - kClosest) * std::abs(gap) / closing);
+        if (closing > (1 - kLeastDistanceRatio) * std::abs(gap))
+            part = std::min(part, (1 - kLeastDistanceRatio) * std::abs(gap) / closing);
     }
     std::vector<double> end = even;
     for (std::size_t i = 0; i < end.size(); ++i)

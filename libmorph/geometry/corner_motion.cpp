@@ -93,12 +93,13 @@ Answer rounded_answer(const RoundedJacobian& j, double time)
     const Rounded inner = 2 * rest * j.start + time * j.middle;
     if (inner.least() >= 0)
         return Answer::yes;
-    constexpr double kFew = 1 + kRelativeError;
+    constexpr double kRoundingFactor = 1 + kRelativeError;
     const double tip = std::abs(j.middle.value);
-    if (j.end.least() > 0 && std::pow(tip + j.middle.error(), 2) * kFew < 4 * j.start.least() * j.end.least())
+    if (j.end.least() > 0 &&
+        std::pow(tip + j.middle.error(), 2) * kRoundingFactor < 4 * j.start.least() * j.end.least())
         return Answer::yes;
     const bool dips = inner.most() < 0 && tip > j.middle.error() && j.end.most() > 0;
-    if (dips && std::pow(tip - j.middle.error(), 2) > 4 * j.start.most() * j.end.most() * kFew)
+    if (dips && std::pow(tip - j.middle.error(), 2) > 4 * j.start.most() * j.end.most() * kRoundingFactor)
         return Answer::no;
     return Answer::unknown;
 }

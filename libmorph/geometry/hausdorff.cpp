@@ -175,8 +175,8 @@ double diagonal(const Mesh& mesh)
 
 void add_beyond(const MeshParts& from, const MeshParts& to, double distance, std::vector<DistantPlace>& found)
 {
-    constexpr double kRoughly = 0.1;
-    const Precision precision{kRoughly, 0, distance};
+    constexpr double kRelativePrecision = 0.1;
+    const Precision precision{kRelativePrecision, 0, distance};
     std::vector<Extent> extents(from.size());
     parallel_for(from.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -21,8 +21,8 @@ constexpr int kLeaf = 10;                  // points; by measurement
 // FLANN passes over what is no nearer than the farthest it was told, and its distance to a box, added up on
 // the way down the tree, may round by a unit in the last place a level. Told a little more, it lets pass
 // whatever is equally far.
-constexpr double kReach = 1 + 1e-12;
-constexpr double kLeastReach = std::numeric_limits<double>::min();
+constexpr double kWidening = 1 + 1e-12;
+constexpr double kLeastWidening = std::numeric_limits<double>::min();
 
 using FlannTree = flann::KDTreeSingleIndex<flann::L2_Simple<double>>;
 
@@ -85,7 +85,7 @@ private:
         reach_ = widened(candidates_.back().distance2);
     }
 
-    static double widened(double distance2) { return distance2 * kReach + kLeastReach; }
+    static double widened(double distance2) { return distance2 * kWidening + kLeastWidening; }
 
     std::size_t k_;
     double reach_ = 0;

@@ -7,8 +7,8 @@
 
 namespace morph {
 
-/// The two vertices of each edge with an element on one side only, in the order of the kernel's edges. A split
-/// vertex is there by its copies.
+/// The two vertices of each edge with an element on one side only, in the order of the kernel's edges. Copies
+/// of a split vertex are as they are.
 std::vector<std::array<Index, 2>> boundary_edges(const Mesh& mesh);
 
 /// The vertices of each closed polygon of a mesh's boundary in order, the mesh on its left. Where fans of

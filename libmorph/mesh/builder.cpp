@@ -80,7 +80,7 @@ std::vector<Element> elements_of_file(const Mesh& mesh)
             for (Index& v : element)
                 v = v < 0 ? v : mesh.numbering.vertex[static_cast<std::size_t>(v)];
             const auto place = static_cast<std::size_t>(mesh.numbering.element[f]);
-            elements[place] = mesh.numbering.reversed[f] ? turned(element) : element;
+            elements[place] = mesh.numbering.reversed[f] ? reversed(element) : element;
         }
     });
     return elements;

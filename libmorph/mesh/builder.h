@@ -8,11 +8,11 @@ namespace morph {
 /// files hold.
 ///
 /// - Vertices and elements are renumbered along a space-filling curve (see Numbering).
-/// - Elements listed the other way round than the neighbours they share an edge with are turned to
-///   the orientation of the majority; in a planar mesh whole parts listed clockwise are turned too.
+/// - Elements listed the other way round than the neighbours they share an edge with are reversed to
+///   the orientation of the majority; in a planar mesh whole parts listed clockwise are reversed too.
 ///   An element that is inverted by its coordinates alone (its edges agree with its neighbours')
-///   is not turned: it is a tangle to be reported, not a way of listing.
-/// - A vertex where several fans of elements meet is split, one copy for each fan.
+///   is not reversed: it is a tangle to be reported, not a way of listing.
+/// - A non-manifold vertex, where several fans of elements meet, is split, one copy for each fan.
 /// - Vertices of no element are kept as isolated vertices.
 ///
 /// @throws InputError  a vertex index out of range, a coordinate that is not finite, an element with

@@ -34,7 +34,8 @@ EdgeTable match_edges(const std::vector<Element>& elements, Index vertices, cons
 /// @param kernel    has its n vertices, but no edges or faces yet
 /// @param elements  m elements
 /// @param edges     of the elements, consistent
-/// Where several fans meet in a vertex, each boundary loop stays within its fan; see split_nonmanifold_vertices().
+/// Where several fans meet in a vertex, each boundary loop stays within its fan; see
+/// split_nonmanifold_vertices().
 void fill_kernel(Kernel& kernel, const std::vector<Element>& elements, const EdgeTable& edges);
 
 /// The halfedge between two vertices of a kernel as fill_kernel() leaves it; -1 when there is none.

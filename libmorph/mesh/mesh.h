@@ -15,7 +15,7 @@ namespace morph {
 struct Numbering {
     std::vector<Index> vertex;  ///< n: file number of each vertex; copies of a split vertex share it
     std::vector<Index> element; ///< m: file number of each element
-    std::vector<bool> reversed; ///< m: the file lists this element the other way round
+    std::vector<bool> reversed; ///< m: the file lists this element the other way round, see reversed()
     Index file_vertices = 0;    ///< number of vertices in the file, at most n
 };
 
@@ -49,6 +49,18 @@ inline Index vertex_count(const Mesh& mesh)
 inline Index element_count(const Mesh& mesh)
 {
     return static_cast<Index>(mesh.kernel.n_faces());
+}
+
+/// The number that the file has for vertex @p v; copies of a split vertex share it.
+inline Index file_vertex(const Mesh& mesh, Index v)
+{
+    return mesh.numbering.vertex[v];
+}
+
+/// The number that the file has for element @p f.
+inline Index file_element(const Mesh& mesh, Index f)
+{
+    return mesh.numbering.element[f];
 }
 
 /// The coordinates of the kernel as an n x 3 matrix; writing to it moves the mesh.

@@ -86,7 +86,7 @@ private:
     std::vector<Index> part_;
 };
 
-/// Number of counter-clockwise elements less that of clockwise ones, once those with a flip are turned.
+/// Number of counter-clockwise elements less that of clockwise ones, once those with a flip are reversed.
 std::ptrdiff_t area_majority(const Mesh& mesh, const std::vector<Element>& elements,
                              std::span<const Index> part, const PartWalker& walker)
 {
@@ -116,8 +116,8 @@ bool reverse_part(const Mesh& mesh, const std::vector<Element>& elements, std::s
                                          [&](Index a, Index b) { return file_number(a) < file_number(b); }));
 }
 
-std::vector<bool> elements_to_turn(const Mesh& mesh, const std::vector<Element>& elements,
-                                   const EdgeTable& edges)
+std::vector<bool> elements_to_reverse(const Mesh& mesh, const std::vector<Element>& elements,
+                                      const EdgeTable& edges)
 {
     PartWalker walker(mesh, edges);
     for (std::size_t f = 0; f < elements.size(); ++f) {
@@ -142,8 +142,8 @@ bool any_clockwise(const Mesh& mesh, const std::vector<Element>& elements)
     return found;
 }
 
-/// The sides that go with turned(element): from the same corner, the other way round.
-std::array<Index, 4> turned_sides(const std::array<Index, 4>& sides, int corners)
+/// The sides that go with reversed(element): from the same corner, the other way round.
+std::array<Index, 4> reversed_sides(const std::array<Index, 4>& sides, int corners)
 {
     std::array<Index, 4> result = sides;
     std::reverse(result.begin(), result.begin() + corners);
@@ -153,7 +153,7 @@ std::array<Index, 4> turned_sides(const std::array<Index, 4>& sides, int corners
 
 } // namespace
 
-Element turned(const Element& element)
+Element reversed(const Element& element)
 {
     Element result = element;
     std::reverse(result.begin() + 1, result.begin() + corner_count(element));
@@ -172,14 +172,14 @@ std::vector<bool> orient_elements(const Mesh& mesh, std::vector<Element>& elemen
 {
     if (edges.consistent && (mesh.dimension == 3 || !any_clockwise(mesh, elements)))
         return std::vector<bool>(elements.size());
-    std::vector<bool> turn = elements_to_turn(mesh, elements, edges);
+    std::vector<bool> reverse = elements_to_reverse(mesh, elements, edges);
     for (std::size_t f = 0; f < elements.size(); ++f)
-        if (turn[f]) {
-            edges.sides[f] = turned_sides(edges.sides[f], corner_count(elements[f]));
-            elements[f] = turned(elements[f]);
+        if (reverse[f]) {
+            edges.sides[f] = reversed_sides(edges.sides[f], corner_count(elements[f]));
+            elements[f] = reversed(elements[f]);
         }
     edges.consistent = true;
-    return turn;
+    return reverse;
 }
 
 } // namespace morph

@@ -14,7 +14,7 @@ namespace morph {
 
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
 /// A value whose sign was decided exactly, with the size that floating point gives it (tiny if it gives
 /// none).
@@ -171,8 +171,8 @@ double aspect_ratio(const ElementShape& shape)
     }
     const double ideal = shape.corners == 3 ? 4 * std::numbers::sqrt3 : 4;
     const double area = std::abs(shape.area);
-    const double aspect = area > 0 ? longest * perimeter / (ideal * area) : kLargest;
-    return std::isfinite(aspect) ? aspect : kLargest;
+    const double aspect = area > 0 ? longest * perimeter / (ideal * area) : kLargestNumber;
+    return std::isfinite(aspect) ? aspect : kLargestNumber;
 }
 
 double skew(const ElementShape& shape)

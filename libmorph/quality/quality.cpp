@@ -81,7 +81,7 @@ private:
     const PositionsView* reference_;
 };
 
-QualityAccumulator tally(const Mesh& mesh, const ElementLoop& loop)
+QualityAccumulator accumulate(const Mesh& mesh, const ElementLoop& loop)
 {
     std::vector<QualityAccumulator> partial(loop.blocks());
     loop.each([&](std::size_t block, Index face, int corners, const ElementQuality& q) {
@@ -113,7 +113,7 @@ QualityReport report(const Mesh& mesh, const PositionsView& positions, const Pos
         report.size_skew.emplace();
     if (loop.elements() == 0)
         return report;
-    const QualityAccumulator total = tally(mesh, loop);
+    const QualityAccumulator total = accumulate(mesh, loop);
     const auto elements = static_cast<double>(loop.elements());
     report.triangles = total.triangles;
     report.quads = element_count(mesh) - total.triangles;
@@ -163,7 +163,7 @@ std::vector<ElementQuality> element_quality(const Mesh& mesh, const PositionsVie
 
 std::vector<Index> inverted_elements(const Mesh& mesh, const PositionsView& positions)
 {
-    return tally(mesh, ElementLoop(mesh, positions, nullptr)).inverted;
+    return accumulate(mesh, ElementLoop(mesh, positions, nullptr)).inverted;
 }
 
 double min_angle(const MeshData& mesh)

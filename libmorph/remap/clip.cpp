@@ -74,7 +74,7 @@ ConvexPolygon left_part(const ConvexPolygon& polygon, PlanePoint a, PlanePoint b
 // leaving it out changes nothing beyond rounding.
 void ConvexPolygon::add(PlanePoint p, int side_number)
 {
-    if (corners == kMost)
+    if (corners == kMaxCorners)
         return;
     corner[static_cast<std::size_t>(corners)] = p;
     side[static_cast<std::size_t>(corners)] = side_number;
@@ -86,7 +86,7 @@ ConvexPolygon clip(const ConvexPolygon& subject, const ConvexPolygon& clipper)
     const PlanePoint origin = subject[0];
     ConvexPolygon common = relative_to(origin, subject);
     const ConvexPolygon knife = relative_to(origin, clipper);
-    std::array<bool, ConvexPolygon::kMost> cuts{};
+    std::array<bool, ConvexPolygon::kMaxCorners> cuts{};
     for (int k = 0; k < knife.corners; ++k) {
         const Extent found = extent(common, knife[k], knife.after(k));
         if (!found.left)

@@ -12,11 +12,11 @@ inline constexpr int kNoSide = -1;
 /// A convex polygon of at most 8 corners, counter-clockwise. Each side keeps a number of the caller's when
 /// the polygon is clipped.
 struct ConvexPolygon {
-    static constexpr int kMost = 8;
+    static constexpr int kMaxCorners = 8;
 
-    std::array<PlanePoint, kMost> corner;
-    std::array<int, kMost> side; ///< of the side from each corner to the next
-    int corners = 0;             ///< 0: empty
+    std::array<PlanePoint, kMaxCorners> corner;
+    std::array<int, kMaxCorners> side; ///< of the side from each corner to the next
+    int corners = 0;                   ///< 0: empty
 
     PlanePoint operator[](int k) const { return corner[static_cast<std::size_t>(k)]; }
     /// The corner after corner @p k.

@@ -52,7 +52,7 @@ MixedMass mixed_mass(const ConvexPart& target, const Overlap& overlap)
     const Triangle target_triangle = relative_to(overlap.origin, target.outline);
     const Triangle source_triangle = relative_to(overlap.origin, overlap.source.outline);
     const ConvexPolygon& common = overlap.common;
-    std::array<Eigen::Vector3d, ConvexPolygon::kMost> phi, psi;
+    std::array<Eigen::Vector3d, ConvexPolygon::kMaxCorners> phi, psi;
     for (std::size_t k = 0; k < static_cast<std::size_t>(common.corners); ++k) {
         phi[k] = basis_inside(target_triangle, common.corner[k]);
         psi[k] = basis_inside(source_triangle, common.corner[k]);

@@ -27,8 +27,8 @@ double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 std::array<Eigen::Vector3d, 3> corners(const CornerTable& table, Index t)
 {
-    return {table.point(table.from[at(3 * t)]), table.point(table.from[at(3 * t + 1)]),
-            table.point(table.from[at(3 * t + 2)])};
+    return {table.point(table.corner(t, 0)), table.point(table.corner(t, 1)),
+            table.point(table.corner(t, 2))};
 }
 
 } // namespace
@@ -41,9 +41,9 @@ double BackgroundMesh::size_at(Index t, const Eigen::Vector3d& p) const
         const Eigen::Vector3d &a = c[(k + 1) % 3], &b = c[(k + 2) % 3];
         const double share = planar_ ? std::max(cross(a, b, p), 0.0) : (a - p).cross(b - p).norm();
         sum += share;
-        size += share * table_.vertices[at(table_.from[at(3 * t) + k])].size;
+        size += share * table_.vertices[at(table_.from[at(CornerTable::halfedge(t)) + k])].size;
     }
-    return sum > 0 ? size / sum : table_.vertices[at(table_.from[at(3 * t)])].size;
+    return sum > 0 ? size / sum : table_.vertices[at(table_.corner(t, 0))].size;
 }
 
 bool BackgroundMesh::walk(const Eigen::Vector3d& p, Index& t, int longest) const
@@ -54,7 +54,7 @@ bool BackgroundMesh::walk(const Eigen::Vector3d& p, Index& t, int longest) const
         Index onward = -1;
         bool at_border = false;
         for (std::size_t k = 0; k < 3 && onward < 0; ++k) {
-            const Index beyond = table_.twin[at(3 * t) + k];
+            const Index beyond = table_.twin[at(CornerTable::halfedge(t)) + k];
             if ((beyond >= 0 && beyond / 3 == came_from) || cross(c[k], c[(k + 1) % 3], p) >= 0)
                 continue;
             at_border = at_border || beyond < 0;
@@ -85,7 +85,7 @@ BackgroundMesh::Place BackgroundMesh::find_closest(const Eigen::Vector3d& p, Ind
         const Index here = t;
         // Every triangle around a corner, so that no fan of thin ones stops the descent.
         for (int k = 0; k < 3; ++k)
-            table_.around(table_.from[at(3 * here + k)], [&](Index out) {
+            table_.around(table_.corner(here, k), [&](Index out) {
                 const TrianglePoint found = closest_on_triangle(corners(table_, out / 3), p);
                 if (found.distance2 < best.distance2) {
                     best = found;

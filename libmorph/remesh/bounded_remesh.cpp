@@ -51,8 +51,8 @@ bool lower_around(const Mesh& mesh, const ElementTree& tree, const std::vector<D
 /// input's triangles and come nearer to its vertices.
 Eigen::VectorXd least_sizes(const Mesh& mesh)
 {
-    constexpr double kOfOwn = 0.125;
-    return mesh.dimension == 2 ? current_sizes(mesh) : Eigen::VectorXd(kOfOwn * current_sizes(mesh));
+    constexpr double kSizeRatio = 0.125;
+    return mesh.dimension == 2 ? current_sizes(mesh) : Eigen::VectorXd(kSizeRatio * current_sizes(mesh));
 }
 
 } // namespace

@@ -267,8 +267,7 @@ void CornerTable::renumber(const std::vector<Index>& order)
         }
     std::vector<Index> lowest(kept.size() + 1, 0); // triangles by their smallest vertex, counted
     const auto smallest = [&](Index t) {
-        return std::min(
-            {number[at(from[at(3 * t)])], number[at(from[at(3 * t + 1)])], number[at(from[at(3 * t + 2)])]});
+        return std::min({number[at(corner(t, 0))], number[at(corner(t, 1))], number[at(corner(t, 2))]});
     };
     for (Index t = 0; t < triangle_slots(); ++t)
         if (alive(t))

@@ -45,13 +45,17 @@ public:
     /// @param triangles  of a mesh with consistent orientation, no edge in three of them
     CornerTable(std::vector<TableVertex> vertices, const std::vector<std::array<Index, 3>>& triangles);
 
+    /// The halfedge from the first corner of a triangle.
+    static Index halfedge(Index triangle) { return 3 * triangle; }
     static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    /// The vertex at corner @p k of a triangle.
+    Index corner(Index triangle, Index k) const { return from[at(3 * triangle + k)]; }
     Index to(Index h) const { return from[at(next(h))]; }
     /// The corner opposite to an edge.
     Index apex(Index h) const { return from[at(previous(h))]; }
     Index triangle_slots() const { return static_cast<Index>(from.size() / 3); }
-    bool alive(Index triangle) const { return from[at(3 * triangle)] >= 0; }
+    bool alive(Index triangle) const { return corner(triangle, 0) >= 0; }
     bool at_border(Index vertex) const { return twin[at(vertices[at(vertex)].out)] < 0; }
     const Eigen::Vector3d& point(Index vertex) const { return vertices[at(vertex)].point; }
 

@@ -95,9 +95,8 @@ private:
         }
         for (Index t = 0; t < table_.triangle_slots(); ++t)
             if (table_.alive(t)) {
-                elements.push_back({of_table_[at(table_.from[at(3 * t)])],
-                                    of_table_[at(table_.from[at(3 * t + 1)])],
-                                    of_table_[at(table_.from[at(3 * t + 2)])], -1});
+                elements.push_back({of_table_[at(table_.corner(t, 0))], of_table_[at(table_.corner(t, 1))],
+                                    of_table_[at(table_.corner(t, 2))], -1});
                 wishes.push_back(-1);
             }
         const std::vector<Index> number = kept_numbers(wishes);

@@ -25,16 +25,16 @@ bool is_kept_side(const CornerTable& table, Index h)
 /// there.
 std::vector<double> most_at_vertices(const RemeshState& state)
 {
-    constexpr double kTurn = std::numbers::pi / 6;
-    constexpr double kNone = std::numeric_limits<double>::infinity();
+    constexpr double kMaxTurn = std::numbers::pi / 6;
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     const CornerTable& table = state.table;
-    std::vector<double> by_curves(table.vertices.size(), kNone), by_kept(table.vertices.size(), 0);
+    std::vector<double> by_curves(table.vertices.size(), kUnlimited), by_kept(table.vertices.size(), 0);
     for (Index h = 0; h < static_cast<Index>(table.from.size()); ++h) {
         const bool kept = is_kept_side(table, h);
         if (!kept && !on_curve(table, h))
             continue;
         const double own = (table.point(table.from[at(h)]) - table.point(table.to(h))).norm();
-        const double most = kept ? own : std::max(kTurn * least_radius(state, h), own);
+        const double most = kept ? own : std::max(kMaxTurn * least_radius(state, h), own);
         for (const Index v : {table.from[at(h)], table.to(h)})
             if (kept)
                 by_kept[at(v)] = std::max(by_kept[at(v)], most);

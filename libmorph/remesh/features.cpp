@@ -99,7 +99,7 @@ private:
     /// the smallest thing with creases is a tetrahedron.
     void drop_noise(const std::set<Index>& creases)
     {
-        constexpr std::size_t kFewest = 6;
+        constexpr std::size_t kLeastCreaseEdges = 6;
         std::map<Index, std::vector<Index>> at_vertex;
         for (const auto& [h, membership] : edges_)
             for (const Index v : {table_.from[at(h)], table_.to(h)})
@@ -116,7 +116,7 @@ private:
                             connected.push_back(other);
                         only_creases = only_creases && creases.count(other) > 0;
                     }
-            if (only_creases && connected.size() < kFewest)
+            if (only_creases && connected.size() < kLeastCreaseEdges)
                 for (const Index h : connected)
                     edges_.erase(h);
         }

@@ -43,8 +43,8 @@ public:
         patch.clear();
         append(v, patch);
         const std::size_t ring = patch.size();
-        for (std::size_t i = 0; i < ring && ring < kMany; ++i)
-            if (first_[at(patch[i]) + 1] - first_[at(patch[i])] < kMany)
+        for (std::size_t i = 0; i < ring && ring < kMaxNeighbours; ++i)
+            if (first_[at(patch[i]) + 1] - first_[at(patch[i])] < kMaxNeighbours)
                 append(patch[i], patch);
         std::sort(patch.begin(), patch.end());
         patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMany = 30;
+    static constexpr std::size_t kMaxNeighbours = 30;
 
     void append(Index v, std::vector<Index>& patch) const
     {
@@ -124,13 +124,13 @@ private:
 
     double at_vertex(Index v, const std::vector<Index>& patch) const
     {
-        constexpr double kThinnest =
+        constexpr double kLeastAxisRatio =
             1e-12; // the patch's narrow axis by its long one, below which it is a line
         const Layout layout = laid_out(v, patch);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(layout.transpose() * layout /
                                                                   static_cast<double>(patch.size()));
         const Eigen::Vector2d extent = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
-        if (!(extent[0] > kThinnest * extent[1]))
+        if (!(extent[0] > kLeastAxisRatio * extent[1]))
             return 0;
         const Eigen::Matrix2d scaling = axes.eigenvectors() * extent.cwiseInverse().asDiagonal();
         const Eigen::Matrix2d hessian = scaling * fitted(layout * scaling, v, patch) * scaling.transpose();
@@ -144,7 +144,7 @@ private:
     /// small multiple of the identity takes the least solution where a patch has too few vertices.
     Eigen::Matrix2d fitted(const Layout& layout, Index v, const std::vector<Index>& patch) const
     {
-        constexpr double kLeast = 1e-10; // of the trace
+        constexpr double kRegularization = 1e-10; // of the trace
         using Row = Eigen::Matrix<double, 5, 1>;
         Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
         Row right = Row::Zero();
@@ -158,7 +158,7 @@ private:
             normal += row * row.transpose() / distance2;
             right += (values_[patch[static_cast<std::size_t>(i)]] - values_[v]) / distance2 * row;
         }
-        normal.diagonal().array() += kLeast * normal.trace();
+        normal.diagonal().array() += kRegularization * normal.trace();
         const Row found = normal.ldlt().solve(right);
         Eigen::Matrix2d hessian;
         hessian << found[2], found[3], found[3], found[4];

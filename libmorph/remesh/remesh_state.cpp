@@ -36,8 +36,8 @@ double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& b, cons
 double triangle_quality(const RemeshState& state, Index t)
 {
     const CornerTable& table = state.table;
-    return triangle_quality(table.point(table.from[at(3 * t)]), table.point(table.from[at(3 * t + 1)]),
-                            table.point(table.from[at(3 * t + 2)]), state.planar);
+    return triangle_quality(table.point(table.corner(t, 0)), table.point(table.corner(t, 1)),
+                            table.point(table.corner(t, 2)), state.planar);
 }
 
 double relative_length(const CornerTable& table, Index a, Index b)
@@ -51,8 +51,8 @@ Eigen::Vector3d triangle_normal(const RemeshState& state, Index t)
     if (state.planar)
         return Eigen::Vector3d::Zero();
     const CornerTable& table = state.table;
-    const Eigen::Vector3d& a = table.point(table.from[at(3 * t)]);
-    return (table.point(table.from[at(3 * t + 1)]) - a).cross(table.point(table.from[at(3 * t + 2)]) - a);
+    const Eigen::Vector3d& a = table.point(table.corner(t, 0));
+    return (table.point(table.corner(t, 1)) - a).cross(table.point(table.corner(t, 2)) - a);
 }
 
 Eigen::Vector3d surface_normal(const RemeshState& state, Index t)

@@ -109,7 +109,7 @@ Eigen::VectorXd largest_curvature(const CornerTable& table)
         std::array<Index, 3> part{};
         std::array<Eigen::Vector3d, 3> normal;
         for (std::size_t k = 0; k < 3; ++k) {
-            part[k] = parts.of_corner[at(3 * t) + k];
+            part[k] = parts.of_corner[at(CornerTable::halfedge(t)) + k];
             normal[k] = normals.row(part[k]);
         }
         const Eigen::Matrix3d form = fitted_form(table, t, normal);

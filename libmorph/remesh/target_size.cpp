@@ -104,16 +104,16 @@ Eigen::VectorXd interpolation_sizes(const Mesh& mesh, const Matrix& values)
 {
     // Of the largest: sizes that differ by a factor of 100. Of range / diagonal^2: rounding of a linear
     // field.
-    constexpr double kLeast = 1e-6, kLinear = 1e-6;
+    constexpr double kLeastBendRatio = 1e-6, kLinearBend = 1e-6;
     const auto place = points(mesh);
     const double diagonal2 = (place.colwise().maxCoeff() - place.colwise().minCoeff()).squaredNorm();
-    Eigen::VectorXd bend = Eigen::VectorXd::Constant(vertex_count(mesh), kLinear / diagonal2);
+    Eigen::VectorXd bend = Eigen::VectorXd::Constant(vertex_count(mesh), kLinearBend / diagonal2);
     for (Index c = 0; c < values.cols(); ++c) {
         const double range = values.col(c).maxCoeff() - values.col(c).minCoeff();
         if (range > 0)
             bend = bend.cwiseMax(largest_second_derivative(mesh, values.col(c) / range));
     }
-    bend = bend.cwiseMax(kLeast * bend.maxCoeff());
+    bend = bend.cwiseMax(kLeastBendRatio * bend.maxCoeff());
     return bend.array().pow(-1.0 / 3);
 }
 

@@ -13,15 +13,15 @@ namespace morph {
 
 namespace {
 
-constexpr double kLeastEps = 1e-9; // corners of at least so much of their target's area feel no eps
-constexpr double kLeastFall = 0.3; // by which eps falls when the energy does not
-constexpr double kVain = 1e-5;     // eps at which a corner that is not positive yet will hardly become it
+constexpr double kLeastEps = 1e-9;   // corners of at least so much of their target's area feel no eps
+constexpr double kLeastFall = 0.3;   // by which eps falls when the energy does not
+constexpr double kStalledEps = 1e-5; // eps at which a corner that is not positive yet will hardly become it
 constexpr double kStuck = 0.2; // part of the worst determinant that eps shrinks to where a patch is too small
-constexpr double kLeastStep = 1e-9; // part of a Newton step
-constexpr double kArmijo = 1e-4;    // part of the promised fall that a step must bring
-constexpr double kSettled = 1e-4;   // relative fall of the energy below which a step is the last
-constexpr Index kDirect = 20'000;   // vertices above which a factor of the whole patch takes too much memory
-constexpr double kShift = 1e-9;     // on the diagonal: a patch that nothing holds may turn
+constexpr double kLeastStep = 1e-9;    // part of a Newton step
+constexpr double kArmijo = 1e-4;       // part of the promised fall that a step must bring
+constexpr double kSettled = 1e-4;      // relative fall of the energy below which a step is the last
+constexpr Index kMaxFactored = 20'000; // vertices; a factor of a larger patch takes too much memory
+constexpr double kFirstShift = 1e-9;   // on the diagonal: a patch that nothing holds may turn
 
 Points2 places_of_unknowns(const Patch& patch, const PlanePositions& x)
 {
@@ -70,7 +70,7 @@ public:
     /// diagonal mends it. Nothing where even that does not help.
     std::optional<Direction> direction(PatchEnergy::Model& model, const PlanePositions& x)
     {
-        for (double shift = kShift; shift < 1; shift *= 100) {
+        for (double shift = kFirstShift; shift < 1; shift *= 100) {
             for (double& entry : model.second.diagonal)
                 entry *= 1 + shift;
             try {
@@ -87,7 +87,7 @@ public:
 private:
     void solve(const SymmetricMatrix& A, const PlanePositions& x, Matrix& solution)
     {
-        if (patch_.free > kDirect) {
+        if (patch_.free > kMaxFactored) {
             conjugate_gradients(A, places_of_unknowns(patch_, x), {}, solution);
             return;
         }
@@ -132,7 +132,7 @@ public:
         positive_ = positive_ || least_ > 0;
         if (eps_ == kLeastEps && fall < kSettled)
             return false;
-        if (least_ < 0 && (eps_ < kStuck * -least_ || eps_ < kVain))
+        if (least_ < 0 && (eps_ < kStuck * -least_ || eps_ < kStalledEps))
             return false;
         eps_ = next_eps(eps_, least_, fall, taken_);
         return true;

@@ -16,10 +16,10 @@ namespace morph {
 
 namespace {
 
-constexpr int kGrowths = 2;          // sizes of patches that are tried before the whole mesh is
-constexpr std::size_t kShare = 4;    // the first patches take in at most this part of the mesh ...
-constexpr std::size_t kFew = 20'000; // ... or so many vertices
-constexpr int kWholeMesh = -1;       // rings
+constexpr int kGrowths = 2;              // sizes of patches that are tried before the whole mesh is
+constexpr std::size_t kPatchDivisor = 4; // the first patches take in at most the mesh divided by this ...
+constexpr std::size_t kPatchVertices = 20'000; // ... or so many vertices
+constexpr int kWholeMesh = -1;                 // rings
 
 std::size_t at(Index i)
 {
@@ -97,7 +97,7 @@ private:
         int rings = first_rings(repairable(result));
         for (int growth = 0; growth < kGrowths && !repairable(result).empty(); ++growth, rings *= 2) {
             std::vector<Patch> patches = find_patches(stars_, held_, repairable(result), rings);
-            if (growth > 0 && count_free(patches) > kFew / 2)
+            if (growth > 0 && count_free(patches) > kPatchVertices / 2)
                 break; // a fresh start costs less
             repair(std::move(patches), result);
         }
@@ -121,7 +121,7 @@ private:
         return rings;
     }
 
-    std::size_t limit() const { return std::max(kFew, held_.size() / kShare); }
+    std::size_t limit() const { return std::max(kPatchVertices, held_.size() / kPatchDivisor); }
 
     /// Let more vertices share in what the repair of the first ones has left of distortion.
     void spread(std::vector<Patch> patches, UntangleResult& result)

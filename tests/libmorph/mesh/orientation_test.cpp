@@ -38,7 +38,7 @@ std::size_t count_of_sign(const Mesh& mesh, int sign)
 
 void list_backwards(MeshData& data, std::size_t element)
 {
-    data.elements[element] = turned(data.elements[element]);
+    data.elements[element] = reversed(data.elements[element]);
 }
 
 /// A strip of @p count quads, closed to a ring; each half turn of it goes around the ring once.
@@ -98,7 +98,7 @@ TEST(Orientation, TurnsAPartListedClockwise)
     data.points.conservativeResize(shift + other.points.rows(), 3);
     data.points.bottomRows(other.points.rows()) = other.points.rowwise() + Eigen::RowVector3d(4, 0, 0);
     for (Element e : other.elements)
-        data.elements.push_back(turned({e[0] + shift, e[1] + shift, e[2] + shift, e[3] + shift}));
+        data.elements.push_back(reversed({e[0] + shift, e[1] + shift, e[2] + shift, e[3] + shift}));
     EXPECT_THAT(turned_elements(build_mesh(data)), testing::ElementsAre(9, 10, 11, 12));
 }
 
@@ -174,7 +174,7 @@ TEST(AreaSign, IsExact)
     EXPECT_EQ(sign(triangle), 1);
     p(2, 1) = std::nextafter(0.5, 0);
     EXPECT_EQ(sign(triangle), -1);
-    EXPECT_EQ(sign(turned(triangle)), 1);
+    EXPECT_EQ(sign(reversed(triangle)), 1);
 }
 
 TEST(AreaSign, HoldsOutAtTheLimitsOfNumbers)

@@ -1,0 +1,26 @@
+# morph_public_headers(OUT root ...): the headers that the roots reach by their include lines, relative to the project.
+# They are what a user may include, and what is installed; a header in a detail/ folder among them is an error.
+function(morph_public_headers out)
+  set(found "")
+  set(open ${ARGN})
+  while(open)
+    list(POP_FRONT open header)
+    if(header IN_LIST found)
+      continue()
+    endif()
+    if(header MATCHES "/detail/")
+      message(FATAL_ERROR "${header} is private, but a public header includes it")
+    endif()
+    list(APPEND found ${header})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
+      list(APPEND open ${included})
+    endforeach()
+  endwhile()
+  list(SORT found)
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+morph_public_headers(MORPH_PUBLIC_HEADERS libmorph/morph.h formats/formats.h formats/field_file.h formats/output_files.h
+                     formats/case/case_file.h formats/su2/ffd.h)
