@@ -25,8 +25,11 @@ struct LatticeAxes {
 /// A lattice of free-form deformation around what is to be deformed. Control point (i, j, k) is row
 /// i + points[0] (j + points[1] k) of every matrix here.
 struct LatticeSettings {
-    std::string where = {};       ///< in front of messages about it: "case.toml:12: "
-    LatticeDefinition shape = {}; ///< its control points do not count when there is a box or axes
+    std::string where = {}; ///< in front of messages about it: "case.toml:12: "
+
+    /// By default planar; its control points do not count when there is a box or axes.
+    LatticeDefinition shape = {.dimension = 2, .degree = {3, 3, 0}, .points = {4, 4, 1}};
+
     std::optional<LatticeBox> box = {};
     std::optional<LatticeAxes> axes = {};
     Matrix displacements = {};              ///< N x 2 or N x 3, length unit of the mesh; empty: zero
