@@ -20,7 +20,7 @@ DirichletBoundary dirichlet_boundary(const Mesh& mesh)
             held[static_cast<std::size_t>(first[static_cast<std::size_t>(vertex.idx())])] = true;
     DirichletBoundary boundary;
     for (const Marker& marker : mesh.markers) {
-        boundary.walls.insert(boundary.walls.end(), marker.edges.begin(), marker.edges.end());
+        boundary.fixed_edges.insert(boundary.fixed_edges.end(), marker.edges.begin(), marker.edges.end());
         for (const Index v : marker_vertices(marker))
             held[static_cast<std::size_t>(first[static_cast<std::size_t>(v)])] = true;
     }

@@ -225,7 +225,7 @@ Matrix extend_with_rotations(const BoundaryExtension& extension, const Mesh& mes
     const Eigen::RowVector2d centre = moves ? frames.pivot.colwise().mean() : Eigen::RowVector2d(0, 0);
     Matrix moved = rebuilt(points(mesh), extension.extend(frame_values(frames, centre)), centre);
     const UniqueDirichletVertices vertices(mesh, held);
-    vertices.finish(vertices.join(displacement), moved);
+    vertices.restore(vertices.join(displacement), moved);
     return moved;
 }
 

@@ -204,7 +204,8 @@ public:
             rows.push_back(static_cast<Index>(i));
         }
         rest.displacement = displacement_(rows, Eigen::all);
-        std::copy_if(held_.walls.begin(), held_.walls.end(), std::back_inserter(rest.boundary.walls),
+        std::copy_if(held_.fixed_edges.begin(), held_.fixed_edges.end(),
+                     std::back_inserter(rest.boundary.fixed_edges),
                      [&](const auto& edge) { return !is_sliding(edge[0]) && !is_sliding(edge[1]); });
         for (const auto& [v, sliding] : slides)
             if (!sliding && !rest.row.contains(v))

@@ -7,12 +7,6 @@
 
 namespace morph {
 
-/// Vertices whose values are prescribed.
-struct DirichletSet {
-    std::vector<Index> vertices; ///< k distinct vertices
-    Matrix values;               ///< k x K, row i belongs to vertices[i]
-};
-
 /// K h = 0 at every free vertex of a graph of weighted edges, for prescribed values at the held ones.
 ///
 /// Factors once, solves for as many right-hand sides as asked, as often as asked.

@@ -157,22 +157,22 @@ PlacedBoundaries lattice_boundary(const Mesh& mesh, const MotionSettings& settin
     PlacedBoundaries result;
     result.conditions = boundary_conditions(mesh, {}, all);
     result.conditions.columns = placed.weights.columns;
-    DirichletSet& held = result.conditions.held;
-    held.values = Matrix::Zero(static_cast<Index>(held.vertices.size()), placed.weights.values.cols());
+    DirichletBoundary& boundary = result.conditions.boundary;
+    Matrix& values = result.conditions.values;
+    values = Matrix::Zero(static_cast<Index>(boundary.vertices.size()), placed.weights.values.cols());
     std::vector<bool> moves(static_cast<std::size_t>(vertex_count(mesh)));
     for (const std::string& name : markers) {
         const Marker& moving = marker(mesh, name);
         for (const Index v : marker_vertices(moving))
             moves[static_cast<std::size_t>(v)] = true;
-        result.conditions.moving_edges.insert(result.conditions.moving_edges.end(), moving.edges.begin(),
-                                              moving.edges.end());
+        boundary.moving_edges.insert(boundary.moving_edges.end(), moving.edges.begin(), moving.edges.end());
     }
     for (const std::string& name : fixed)
         for (const Index v : marker_vertices(marker(mesh, name)))
             moves[static_cast<std::size_t>(v)] = false;
-    for (std::size_t i = 0; i < held.vertices.size(); ++i)
-        if (moves[static_cast<std::size_t>(held.vertices[i])])
-            held.values.row(static_cast<Index>(i)) = Matrix(placed.weights.values.row(held.vertices[i]));
+    for (std::size_t i = 0; i < boundary.vertices.size(); ++i)
+        if (moves[static_cast<std::size_t>(boundary.vertices[i])])
+            values.row(static_cast<Index>(i)) = Matrix(placed.weights.values.row(boundary.vertices[i]));
     result.displacements = placed.displacements;
     return result;
 }

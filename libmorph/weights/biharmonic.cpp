@@ -1,9 +1,8 @@
 #include "libmorph/weights/biharmonic.h"
 
-#include "libmorph/geometry/delaunay.h"
 #include "libmorph/numerics/dirichlet_system.h"
 #include "libmorph/numerics/fan_laplacian.h"
-#include "libmorph/weights/unique_dirichlet_vertices.h"
+#include "libmorph/weights/walled_triangulation.h"
 
 #include <vector>
 
@@ -14,14 +13,6 @@ namespace {
 std::size_t at(Index i)
 {
     return static_cast<std::size_t>(i);
-}
-
-Triangulation delaunay(const Mesh& mesh, const DirichletBoundary& held)
-{
-    Triangulation triangulation = triangulate(mesh);
-    cut_along(triangulation, held.walls);
-    make_delaunay(points(mesh), triangulation);
-    return triangulation;
 }
 
 /// Boundary edge with both ends held, the mesh on its left.
@@ -49,66 +40,62 @@ std::vector<WallEdge> wall_edges(const Triangulation& triangulation, const Trian
     return walls;
 }
 
-/// What both kinds of biharmonic functions have.
-struct Biharmonic {
-    Biharmonic(const Mesh& mesh, const DirichletBoundary& boundary)
-        : held(mesh, boundary), triangulation(delaunay(mesh, boundary)), fans(triangulation),
-          laplacian(fan_laplacian(mesh, triangulation, fans, held.representatives())),
-          system(points(mesh), bilaplacian(vertex_count(mesh), laplacian), 1, held.vertices())
+class BiharmonicExtension : public BoundaryExtension {
+public:
+    BiharmonicExtension(const Mesh& mesh, const DirichletBoundary& boundary, int components = 1)
+        : BoundaryExtension(mesh, boundary, components),
+          triangulation_(walled_triangulation(mesh, boundary, held())), fans_(triangulation_),
+          laplacian_(fan_laplacian(mesh, triangulation_, fans_, held().representatives())),
+          system_(points(mesh), bilaplacian(vertex_count(mesh), laplacian_), 1, held().vertices())
     {
     }
 
+protected:
     /// K M^-1 (K u - flux) = 0 at the free vertices. The second round takes back most of what rounding has
     /// done to the first, K M^-1 K being far worse conditioned than its factors.
-    Matrix solve(const Matrix& values, const Matrix& flux) const
+    Matrix solve_with(const Matrix& flux, const Matrix& joined) const
     {
-        const Matrix joined = held.join(values), still = Matrix::Zero(joined.rows(), joined.cols());
-        Matrix u = Matrix::Zero(static_cast<Index>(held.representatives().size()), joined.cols());
+        const Matrix still = Matrix::Zero(joined.rows(), joined.cols());
+        Matrix u = Matrix::Zero(static_cast<Index>(held().representatives().size()), joined.cols());
         for (Index i = 0; i < joined.rows(); ++i)
-            u.row(held.vertices()[at(i)]) = joined.row(i);
+            u.row(held().vertices()[at(i)]) = joined.row(i);
         for (int round = 0; round < 2; ++round)
-            u += system.solve(still, laplacian.load(u, flux));
-        held.finish(joined, u);
+            u += system_.solve(still, laplacian_.load(u, flux));
         return u;
     }
 
-    UniqueDirichletVertices held;
-    Triangulation triangulation;
-    TriangleFans fans;
-    FanLaplacian laplacian;
-    DirichletSystem system;
+    /// A row for each fan.
+    Matrix no_flux(Eigen::Index columns) const
+    {
+        return Matrix::Zero(static_cast<Index>(fans_.count()), columns);
+    }
+
+    const Triangulation& triangulation() const { return triangulation_; }
+    const TriangleFans& fans() const { return fans_; }
+
+private:
+    Matrix solve(const Matrix& joined) const override { return solve_with(no_flux(joined.cols()), joined); }
+
+    Triangulation triangulation_;
+    TriangleFans fans_;
+    FanLaplacian laplacian_;
+    DirichletSystem system_;
 };
 
-class BiharmonicSpread final : public BoundaryExtension {
+class ConformalBiharmonicExtension final : public BiharmonicExtension {
 public:
-    BiharmonicSpread(const Mesh& mesh, const DirichletBoundary& held) : parts_(mesh, held) {}
-
-    Matrix extend(const Matrix& values) const override
+    ConformalBiharmonicExtension(const Mesh& mesh, const DirichletBoundary& boundary)
+        : BiharmonicExtension(mesh, boundary, 2), walls_(wall_edges(triangulation(), fans(), held()))
     {
-        return parts_.solve(values, Matrix::Zero(static_cast<Index>(parts_.fans.count()), values.cols()));
     }
 
 private:
-    Biharmonic parts_;
-};
+    Matrix solve(const Matrix& joined) const override { return solve_with(flux(joined), joined); }
 
-class ConformalBiharmonicSpread final : public CoupledExtension {
-public:
-    ConformalBiharmonicSpread(const Mesh& mesh, const DirichletBoundary& held)
-        : parts_(mesh, held), walls_(wall_edges(parts_.triangulation, parts_.fans, parts_.held))
-    {
-    }
-
-    Points2 extend(const Points2& displacements) const override
-    {
-        return parts_.solve(displacements, flux(parts_.held.join(displacements)));
-    }
-
-private:
-    /// The integral of du/dn along the walls beside each fan.
+    /// The integral of du/dn along the walls next to each fan.
     Matrix flux(const Matrix& joined) const
     {
-        Matrix sum = Matrix::Zero(static_cast<Index>(parts_.fans.count()), 2);
+        Matrix sum = no_flux(2);
         for (const WallEdge& e : walls_) {
             const Eigen::RowVector2d along = joined.row(e.to) - joined.row(e.from);
             const Eigen::RowVector2d half(0.5 * along.y(), -0.5 * along.x());
@@ -118,21 +105,20 @@ private:
         return sum;
     }
 
-    Biharmonic parts_;
     std::vector<WallEdge> walls_;
 };
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& held)
+std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary)
 {
-    return std::make_unique<BiharmonicSpread>(mesh, held);
+    return std::make_unique<BiharmonicExtension>(mesh, boundary);
 }
 
-std::unique_ptr<CoupledExtension> conformal_biharmonic_extension(const Mesh& mesh,
-                                                                 const DirichletBoundary& held)
+std::unique_ptr<BoundaryExtension> conformal_biharmonic_extension(const Mesh& mesh,
+                                                                 const DirichletBoundary& boundary)
 {
-    return std::make_unique<ConformalBiharmonicSpread>(mesh, held);
+    return std::make_unique<ConformalBiharmonicExtension>(mesh, boundary);
 }
 
 } // namespace morph

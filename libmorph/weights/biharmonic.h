@@ -3,7 +3,7 @@
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
-#include "libmorph/weights/coupled_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
 #include <memory>
 
@@ -37,10 +37,10 @@ inline constexpr auto kEnumNames<BiharmonicCondition> = std::to_array<EnumName<B
 /// turning or shifting the mesh changes the result by round-off only, which stretched layers of cells
 /// enlarge: the condition of the system is the square of that of harmonic functions.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; an element is inverted
 /// @throws SolverError  the system is singular
-std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& held);
+std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary);
 
 /// Biharmonic displacements whose second condition on the held boundary lets the mesh turn with it: du/dn is
 /// du/ds turned by a right angle, n and s being the normal and the tangent. Those are the Cauchy-Riemann
@@ -53,7 +53,7 @@ std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const 
 /// angle and scaling the whole boundary does the same with the mesh.
 ///
 /// @throws InputError, SolverError  as biharmonic_extension()
-std::unique_ptr<CoupledExtension> conformal_biharmonic_extension(const Mesh& mesh,
-                                                                 const DirichletBoundary& held);
+std::unique_ptr<BoundaryExtension> conformal_biharmonic_extension(const Mesh& mesh,
+                                                                 const DirichletBoundary& boundary);
 
 } // namespace morph

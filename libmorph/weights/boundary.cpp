@@ -98,10 +98,10 @@ void lay_out_columns(const std::vector<CurveBoundary>& boundaries, BoundaryCondi
 void prescribe(const ClaimsByVertex& claims, BoundaryConditions& conditions)
 {
     const auto columns = static_cast<Eigen::Index>(conditions.columns.size());
-    conditions.held.values = Matrix::Zero(static_cast<Eigen::Index>(claims.size()), columns);
+    conditions.values = Matrix::Zero(static_cast<Eigen::Index>(claims.size()), columns);
     for (const auto& [number, claim] : claims) {
-        const auto row = static_cast<Eigen::Index>(conditions.held.vertices.size());
-        conditions.held.vertices.push_back(claim.vertex);
+        const auto row = static_cast<Eigen::Index>(conditions.boundary.vertices.size());
+        conditions.boundary.vertices.push_back(claim.vertex);
         if (claim.rows.size() > 1 || (!claim.rows.empty() && !claim.fixed_by.empty()))
             conditions.shared.push_back({claim.vertex, claim.rows, claim.fixed_by});
         if (!claim.fixed_by.empty())
@@ -109,7 +109,7 @@ void prescribe(const ClaimsByVertex& claims, BoundaryConditions& conditions)
         const double share = 1.0 / static_cast<double>(claim.rows.size());
         for (const auto& [boundary, basis] : claim.rows)
             for (int k = 0; k < basis.count; ++k)
-                conditions.held.values(row, conditions.first_column[boundary] +
+                conditions.values(row, conditions.first_column[boundary] +
                                                 basis.control[static_cast<std::size_t>(k)]) +=
                     share * basis.value[static_cast<std::size_t>(k)];
     }
@@ -118,15 +118,14 @@ void prescribe(const ClaimsByVertex& claims, BoundaryConditions& conditions)
 void collect_edges(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
                    const std::vector<std::string>& fixed, BoundaryConditions& conditions)
 {
-    for (const CurveBoundary& boundary : boundaries) {
-        const auto& edges = marker(mesh, boundary.name).edges;
-        conditions.moving_edges.insert(conditions.moving_edges.end(), edges.begin(), edges.end());
-    }
-    conditions.marker_edges = conditions.moving_edges;
-    for (const std::string& name : fixed) {
+    const auto append = [&mesh](const std::string& name, std::vector<std::array<Index, 2>>& list) {
         const auto& edges = marker(mesh, name).edges;
-        conditions.marker_edges.insert(conditions.marker_edges.end(), edges.begin(), edges.end());
-    }
+        list.insert(list.end(), edges.begin(), edges.end());
+    };
+    for (const CurveBoundary& boundary : boundaries)
+        append(boundary.name, conditions.boundary.moving_edges);
+    for (const std::string& name : fixed)
+        append(name, conditions.boundary.fixed_edges);
 }
 
 /// The displacement that a claim gives its vertex.
@@ -188,6 +187,38 @@ BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<Curve
     prescribe(claims, conditions);
     collect_edges(mesh, boundaries, fixed, conditions);
     return conditions;
+}
+
+BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<NamedCurve>& curves)
+{
+    std::vector<CurveBoundary> boundaries;
+    std::vector<std::string> carried;
+    for (const NamedCurve& named : curves) {
+        boundaries.push_back(parametrize_marker(mesh, named.marker, named.curve));
+        carried.push_back(named.marker);
+    }
+    return boundary_conditions(mesh, boundaries, other_markers(mesh, carried));
+}
+
+std::vector<std::string> other_markers(const Mesh& mesh, const std::vector<std::string>& carried)
+{
+    std::vector<std::string> names;
+    const auto contains = [](const std::vector<std::string>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (const Marker& m : mesh.markers)
+        if (!contains(carried, m.name) && !contains(names, m.name))
+            names.push_back(m.name);
+    return names;
+}
+
+Weights extended_weights(const BoundaryConditions& conditions, const BoundaryExtension& extension)
+{
+    if (extension.components() != 1)
+        throw InputError("the method extends vectors of " + std::to_string(extension.components()) +
+                         " components that influence each other: one weight for each control point does not "
+                         "express that");
+    return {conditions.columns, extension.extend(conditions.values)};
 }
 
 void require_ends_together(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,

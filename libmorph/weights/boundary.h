@@ -3,13 +3,20 @@
 #include "libmorph/basis/closest.h"
 #include "libmorph/basis/curve.h"
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/numerics/dirichlet_laplacian.h"
+#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/weights.h"
 
 #include <string>
 #include <vector>
 
 namespace morph {
+
+/// A curve and the marker it carries.
+struct NamedCurve {
+    std::string marker;
+    Curve curve;
+};
 
 /// A marker of the mesh and the curve that carries it; each node has its parameter.
 struct CurveBoundary {
@@ -43,10 +50,9 @@ struct SharedVertex {
 struct BoundaryConditions {
     std::vector<ControlPoint> columns; ///< K: those of the first boundary, then of the second, ...
     std::vector<Index> first_column;   ///< of each boundary
-    DirichletSet held;                 ///< basis functions on the curves, 0 on the fixed markers
+    DirichletBoundary boundary;        ///< markers that curves carry move, fixed ones stay
+    Matrix values; ///< k x K, row i belongs to boundary.vertices[i]: basis functions, 0 on the fixed markers
     std::vector<SharedVertex> shared;
-    std::vector<std::array<Index, 2>> moving_edges; ///< edges of the markers that curves carry
-    std::vector<std::array<Index, 2>> marker_edges; ///< edges of all held markers
     Index unmarked = 0; ///< vertices of the boundary in no marker; they are held too
 };
 
@@ -61,6 +67,22 @@ struct BoundaryConditions {
 /// @throws InputError  a fixed marker does not exist or is one of the boundaries
 BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
                                        const std::vector<std::string>& fixed);
+
+/// The same in one call: each curve carries its marker, every other marker is fixed.
+/// @throws InputError  as parametrize_marker()
+BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<NamedCurve>& curves);
+
+/// The names of the markers of a mesh that are not among @p carried, each once.
+std::vector<std::string> other_markers(const Mesh& mesh, const std::vector<std::string>& carried);
+
+/// Weights of the control points: what extends their basis functions from the boundary into the mesh.
+///
+/// Methods whose components influence each other have none; they extend the displacements of the boundary,
+/// conditions.values times those of the control points.
+/// @param extension  of conditions.boundary
+/// @throws InputError   the extension has more than one component; as BoundaryExtension::extend()
+/// @throws SolverError  the result is not finite
+Weights extended_weights(const BoundaryConditions& conditions, const BoundaryExtension& extension);
 
 /// Check that ends which share a vertex stay together.
 ///

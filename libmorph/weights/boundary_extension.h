@@ -1,38 +1,52 @@
 #pragma once
 
-#include "libmorph/core/types.h"
-
-#include <array>
-#include <vector>
+#include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/unique_dirichlet_vertices.h"
 
 namespace morph {
 
-/// Where the values that a BoundaryExtension carries into the mesh are given.
-struct DirichletBoundary {
-    std::vector<Index> vertices; ///< k distinct vertices: the whole boundary of the mesh and its inner walls
-    std::vector<std::array<Index, 2>>
-        moving_edges;                        ///< boundary edges that move; the other held vertices stay
-    std::vector<std::array<Index, 2>> walls; ///< edges inside the mesh that are held
-};
-
-/// A linear way to carry values from the held vertices of a mesh to all of them: harmonic functions, radial
-/// basis functions, inverse distances, springs.
+/// A linear way to extend values from a DirichletBoundary into the mesh: harmonic functions, radial basis
+/// functions, inverse distances, springs, elasticity.
 ///
 /// What depends on the mesh alone is computed once, when it is made; extend() can then be called as often as
-/// there are values. The weights of control points are the spread of their basis functions.
+/// there are values. The weights of control points are the extension of their basis functions.
+///
+/// A method derives from it and says in solve() what the values are inside. That the copies of a split vertex
+/// are one, that prescribed values are met exactly and that nothing comes out that is not finite is taken care
+/// of here.
 class BoundaryExtension {
 public:
-    BoundaryExtension() = default;
     BoundaryExtension(const BoundaryExtension&) = delete;
     BoundaryExtension& operator=(const BoundaryExtension&) = delete;
     virtual ~BoundaryExtension() = default;
 
-    /// @param values  k x c, row i belongs to DirichletBoundary::vertices[i]; columns do not influence each other
-    /// @return n x c, equal to @p values at the held vertices; the same bytes for any number of threads
-    /// @throws InputError   @p values has another number of rows, is not finite, or gives two copies of a
-    ///                      split vertex different values
+    /// 1: the columns of values do not influence each other, and there is one weight for each pair of mesh
+    /// vertex and prescribed vertex. Else the values are vectors of so many components that do: a body that is
+    /// pulled in x gets thinner in y, the cells next to a wall that turns move along with it. The weights are
+    /// then square blocks.
+    int components() const { return components_; }
+
+    /// @param values  k x c, row i belongs to DirichletBoundary::vertices[i]; c is components(), or any number
+    ///                where that is 1
+    /// @return n x c, equal to @p values at the prescribed vertices; the same bytes for any number of threads
+    /// @throws InputError   @p values has another number of rows or columns, is not finite, or gives two copies
+    ///                      of a split vertex different values
     /// @throws SolverError  the result is not finite
-    virtual Matrix extend(const Matrix& values) const = 0;
+    Matrix extend(const Matrix& values) const;
+
+protected:
+    /// @throws InputError  as UniqueDirichletVertices
+    BoundaryExtension(const Mesh& mesh, const DirichletBoundary& boundary, int components = 1);
+
+    const UniqueDirichletVertices& held() const { return held_; }
+
+private:
+    /// @param joined  h x c, finite: values at held().vertices()
+    /// @return n x c; rows of prescribed vertices, and of all copies but the first, are not looked at
+    virtual Matrix solve(const Matrix& joined) const = 0;
+
+    UniqueDirichletVertices held_;
+    int components_;
 };
 
 } // namespace morph

@@ -25,7 +25,7 @@ Points held_points(const Mesh& mesh, const UniqueDirichletVertices& vertices)
     return points(mesh)(vertices.vertices(), Eigen::all);
 }
 
-BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& held,
+BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& boundary,
                                    const UniqueDirichletVertices& vertices)
 {
     const std::vector<Index> row_of = vertices.rows();
@@ -35,7 +35,7 @@ BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& he
     };
     BoundarySegments edges;
     std::set<BoundarySegment> known;
-    for (const auto& edge : held.moving_edges) {
+    for (const auto& edge : boundary.moving_edges) {
         edges.moving.push_back(rows(edge));
         known.insert(sorted(edges.moving.back()));
         for (const Index v : edge)
@@ -45,7 +45,7 @@ BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& he
                                  " is the end of a moving edge, but it is not held");
     }
     std::vector<std::array<Index, 2>> others = boundary_edges(mesh);
-    others.insert(others.end(), held.walls.begin(), held.walls.end());
+    others.insert(others.end(), boundary.fixed_edges.begin(), boundary.fixed_edges.end());
     for (const auto& edge : others)
         if (const BoundarySegment e = rows(edge); e[0] >= 0 && e[1] >= 0 && known.insert(sorted(e)).second)
             edges.still.push_back(e);

@@ -2,6 +2,7 @@
 
 #include "libmorph/geometry/segment_tree.h"
 #include "libmorph/mesh/mesh.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/unique_dirichlet_vertices.h"
 
 #include <array>
@@ -22,7 +23,7 @@ struct BoundarySegments {
 };
 
 /// @throws InputError  a moving edge ends at a vertex that is not held
-BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& held,
+BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& boundary,
                                    const UniqueDirichletVertices& vertices);
 
 /// The point on held edges nearest to a point: the values there are those of the ends a and b at 1 - t and t.

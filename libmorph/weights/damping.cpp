@@ -19,15 +19,16 @@ std::optional<NearestOnSegments> nearest_on(const Points& points, const std::vec
     return NearestOnSegments(points, edges);
 }
 
-class DampingSpread final : public BoundaryExtension {
+class DampingExtension final : public BoundaryExtension {
 public:
-    DampingSpread(const Mesh& mesh, const DirichletBoundary& held) : held_(mesh, held)
+    DampingExtension(const Mesh& mesh, const DirichletBoundary& boundary)
+        : BoundaryExtension(mesh, boundary)
     {
-        if (held_.vertices().empty())
+        if (held().vertices().empty())
             throw InputError("no vertex is held: there is nothing to damp");
-        const BoundarySegments edges = boundary_segments(mesh, held, held_);
-        const Points boundary = held_points(mesh, held_);
-        const auto moving = nearest_on(boundary, edges.moving), still = nearest_on(boundary, edges.still);
+        const BoundarySegments edges = boundary_segments(mesh, boundary, held());
+        const Points at_rest = held_points(mesh, held());
+        const auto moving = nearest_on(at_rest, edges.moving), still = nearest_on(at_rest, edges.still);
         const auto x = points(mesh);
         sources_.resize(static_cast<std::size_t>(x.rows()));
         parallel_for(sources_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
@@ -44,10 +45,10 @@ public:
         });
     }
 
-    Matrix extend(const Matrix& values) const override
+private:
+    Matrix solve(const Matrix& joined) const override
     {
-        const Matrix joined = held_.join(values);
-        Matrix result(static_cast<Index>(sources_.size()), values.cols());
+        Matrix result(static_cast<Index>(sources_.size()), joined.cols());
         parallel_for(sources_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 const auto& [moving, still, share] = sources_[v];
@@ -55,11 +56,9 @@ public:
                     share * moving.value(joined) + (1 - share) * still.value(joined);
             }
         });
-        held_.finish(joined, result);
         return result;
     }
 
-private:
     /// Where the value of a vertex comes from.
     struct Source {
         EdgePoint moving;
@@ -74,15 +73,14 @@ private:
         return moving == 0 ? 1 : 1 / (1 + quotient * quotient);
     }
 
-    UniqueDirichletVertices held_;
     std::vector<Source> sources_; ///< of each vertex
 };
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& held)
+std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& boundary)
 {
-    return std::make_unique<DampingSpread>(mesh, held);
+    return std::make_unique<DampingExtension>(mesh, boundary);
 }
 
 } // namespace morph

@@ -2,6 +2,7 @@
 
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
 #include <memory>
 
@@ -22,6 +23,6 @@ namespace morph {
 /// values differ.
 ///
 /// @throws InputError  as UniqueDirichletVertices; nothing is held; a moving edge ends at a vertex that is not held
-std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& held);
+std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& boundary);
 
 } // namespace morph

@@ -62,8 +62,8 @@ CornerMatrix corner_matrix(const ElementPoints& element)
 
 class Solid {
 public:
-    Solid(const Mesh& mesh, const DirichletBoundary& held, const Elasticity& elasticity)
-        : mesh_(mesh), D_(stress_matrix(elasticity.poisson_ratio)), modulus_(moduli(held, elasticity.modulus))
+    Solid(const Mesh& mesh, const DirichletBoundary& boundary, const Elasticity& elasticity)
+        : mesh_(mesh), D_(stress_matrix(elasticity.poisson_ratio)), modulus_(moduli(boundary, elasticity.modulus))
     {
     }
 
@@ -97,7 +97,7 @@ private:
         Q += (modulus * weight * area) * (B.transpose() * D_ * B);
     }
 
-    std::vector<double> moduli(const DirichletBoundary& held, YoungsModulus modulus) const
+    std::vector<double> moduli(const DirichletBoundary& boundary, YoungsModulus modulus) const
     {
         const std::vector<Element> elements = element_table(mesh_);
         std::vector<double> result(elements.size(), 1.0);
@@ -105,7 +105,7 @@ private:
             for (std::size_t e = 0; e < elements.size(); ++e)
                 result[e] = 1 / area_of(elements[e]);
         if (modulus == YoungsModulus::inverse_distance)
-            divide_by_distance(elements, SegmentTree(points(mesh_), held.moving_edges), result);
+            divide_by_distance(elements, SegmentTree(points(mesh_), boundary.moving_edges), result);
         return result;
     }
 
@@ -153,13 +153,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<CoupledExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                     const Elasticity& elasticity)
 {
     require_valid(elasticity);
-    const Solid solid(mesh, held, elasticity);
+    const Solid solid(mesh, boundary, elasticity);
     return std::make_unique<EnergyExtension>(
-        mesh, held, [&](const ElementPoints& element, ElementMatrix& Q) { solid.add_energy(element, Q); });
+        mesh, boundary, [&](const ElementPoints& element, ElementMatrix& Q) { solid.add_energy(element, Q); });
 }
 
 } // namespace morph

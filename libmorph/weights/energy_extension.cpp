@@ -32,17 +32,10 @@ SymmetricMatrix stiffness(const Mesh& mesh, const UniqueDirichletVertices& held,
 
 } // namespace
 
-EnergyExtension::EnergyExtension(const Mesh& mesh, const DirichletBoundary& held, const Energy& energy)
-    : held_(mesh, held), system_(points(mesh), stiffness(mesh, held_, energy), 2, held_.vertices())
+EnergyExtension::EnergyExtension(const Mesh& mesh, const DirichletBoundary& boundary, const Energy& energy)
+    : BoundaryExtension(mesh, boundary, 2),
+      system_(points(mesh), stiffness(mesh, held(), energy), 2, held().vertices())
 {
-}
-
-Points2 EnergyExtension::extend(const Points2& displacements) const
-{
-    const Matrix joined = held_.join(displacements);
-    Matrix u = system_.solve(joined);
-    held_.finish(joined, u);
-    return u;
 }
 
 } // namespace morph

@@ -3,8 +3,8 @@
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/numerics/assembly.h"
 #include "libmorph/numerics/dirichlet_system.h"
-#include "libmorph/weights/coupled_extension.h"
-#include "libmorph/weights/unique_dirichlet_vertices.h"
+#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
 #include <array>
 #include <functional>
@@ -29,20 +29,19 @@ struct ElementPoints {
 
 /// The displacement that needs the least of an energy which is the sum of one for each element: springs,
 /// elasticity.
-class EnergyExtension final : public CoupledExtension {
+class EnergyExtension final : public BoundaryExtension {
 public:
     /// Sets the matrix Q of an element, 2 x corners rows and zero before: its energy is u^T Q u / 2 with u
     /// the displacement x, y of each corner in order. Called from several threads; may throw.
     using Energy = std::function<void(const ElementPoints& element, ElementMatrix& matrix)>;
 
-    /// @throws InputError   see UniqueDirichletVertices and DirichletSystem, and what @p energy throws
+    /// @throws InputError   as UniqueDirichletVertices and DirichletSystem, and what @p energy throws
     /// @throws SolverError  the system is singular
-    EnergyExtension(const Mesh& mesh, const DirichletBoundary& held, const Energy& energy);
-
-    Points2 extend(const Points2& displacements) const override;
+    EnergyExtension(const Mesh& mesh, const DirichletBoundary& boundary, const Energy& energy);
 
 private:
-    UniqueDirichletVertices held_;
+    Matrix solve(const Matrix& joined) const override { return system_.solve(joined); }
+
     DirichletSystem system_;
 };
 

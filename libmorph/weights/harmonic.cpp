@@ -3,7 +3,8 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/geometry/segment_tree.h"
-#include "libmorph/weights/unique_dirichlet_vertices.h"
+#include "libmorph/numerics/dirichlet_laplacian.h"
+#include "libmorph/weights/walled_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,63 +87,49 @@ std::vector<double> mean_areas(const Mesh& mesh)
     return area;
 }
 
-std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const DirichletBoundary& held,
-                                         Diffusivity diffusivity)
+std::vector<WeightedEdge> weighted_edges(const Mesh& mesh, const DirichletBoundary& boundary,
+                                         const UniqueDirichletVertices& vertices, Diffusivity diffusivity)
 {
-    Triangulation triangulation = triangulate(mesh);
-    cut_along(triangulation, held.walls);
-    make_delaunay(points(mesh), triangulation);
-    std::vector<WeightedEdge> edges = stiffness_edges(points(mesh), triangulation);
+    std::vector<WeightedEdge> edges =
+        stiffness_edges(points(mesh), walled_triangulation(mesh, boundary, vertices));
     const auto x = points(mesh);
     const auto least = [&x](const WeightedEdge& e) { return kLeast * edge_length(x, e); };
     if (diffusivity == Diffusivity::inverse_distance)
-        divide_by_mean(distances(mesh, held.moving_edges), least, edges);
+        divide_by_mean(distances(mesh, boundary.moving_edges), least, edges);
     if (diffusivity == Diffusivity::inverse_area)
         divide_by_mean(
             mean_areas(mesh), [&](const WeightedEdge& e) { return least(e) * least(e); }, edges);
     return edges;
 }
 
-DirichletLaplacian dirichlet_problem(const Mesh& mesh, const DirichletBoundary& held,
+DirichletLaplacian dirichlet_problem(const Mesh& mesh, const DirichletBoundary& boundary,
                                      const UniqueDirichletVertices& vertices, Diffusivity diffusivity)
 {
-    std::vector<WeightedEdge> edges = weighted_edges(mesh, held, diffusivity);
+    std::vector<WeightedEdge> edges = weighted_edges(mesh, boundary, vertices, diffusivity);
     join_copies(vertices.representatives(), edges);
     return {points(mesh), edges, vertices.vertices()};
 }
 
-class HarmonicSpread final : public BoundaryExtension {
+class HarmonicExtension final : public BoundaryExtension {
 public:
-    HarmonicSpread(const Mesh& mesh, const DirichletBoundary& held, Diffusivity diffusivity)
-        : held_(mesh, held), problem_(dirichlet_problem(mesh, held, held_, diffusivity))
+    HarmonicExtension(const Mesh& mesh, const DirichletBoundary& boundary, Diffusivity diffusivity)
+        : BoundaryExtension(mesh, boundary),
+          problem_(dirichlet_problem(mesh, boundary, held(), diffusivity))
     {
-    }
-
-    Matrix extend(const Matrix& values) const override
-    {
-        const Matrix joined = held_.join(values);
-        Matrix h = problem_.solve(joined);
-        held_.finish(joined, h);
-        return h;
     }
 
 private:
-    UniqueDirichletVertices held_;
+    Matrix solve(const Matrix& joined) const override { return problem_.solve(joined); }
+
     DirichletLaplacian problem_;
 };
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                       Diffusivity diffusivity)
 {
-    return std::make_unique<HarmonicSpread>(mesh, held, diffusivity);
-}
-
-Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity)
-{
-    const DirichletBoundary held{problem.held.vertices, problem.moving_edges, problem.walls};
-    return HarmonicSpread(mesh, held, diffusivity).extend(problem.held.values);
+    return std::make_unique<HarmonicExtension>(mesh, boundary, diffusivity);
 }
 
 } // namespace morph

@@ -2,12 +2,10 @@
 
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/numerics/dirichlet_laplacian.h"
 #include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
-#include <array>
 #include <memory>
-#include <vector>
 
 namespace morph {
 
@@ -25,13 +23,6 @@ inline constexpr auto kEnumNames<Diffusivity> = std::to_array<EnumName<Diffusivi
     {Diffusivity::inverse_area, "inverse-area"},
 });
 
-/// What harmonic_weights() solves.
-struct HarmonicProblem {
-    DirichletSet held;                              ///< every vertex of the boundary and of inner walls
-    std::vector<std::array<Index, 2>> moving_edges; ///< edges that carry control points
-    std::vector<std::array<Index, 2>> walls;        ///< edges inside the mesh that must stay
-};
-
 /// Harmonic functions: the held values at the held vertices and div(g grad h) = 0 in between, one column for
 /// each right-hand side [Joshi et al. 2007, ACM Transactions on Graphics 26(3), 71; Tavla 2021,
 /// section 3.5; for the diffusivities: Jasak & Tukovic 2006, Transactions of FAMENA 30(2), 1-20].
@@ -48,17 +39,10 @@ struct HarmonicProblem {
 ///
 /// The system is factored here; extend() solves. Later changes to @p mesh do not matter.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; inverse_distance without moving edges
 /// @throws SolverError  the system is singular
-std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                       Diffusivity diffusivity);
-
-/// Harmonic weights: the harmonic_extension() of problem.held.values.
-///
-/// @return n x K
-/// @throws InputError   as harmonic_extension(); the sizes in @p problem do not fit
-/// @throws SolverError  the system has no finite solution
-Matrix harmonic_weights(const Mesh& mesh, const HarmonicProblem& problem, Diffusivity diffusivity);
 
 } // namespace morph

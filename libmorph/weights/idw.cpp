@@ -47,12 +47,12 @@ IdwOptions checked(const Mesh& mesh, IdwOptions options)
 }
 
 /// Half the length of the edges at each held vertex; a vertex without an edge has the mean of the others.
-Eigen::ArrayXd edge_shares(const Mesh& mesh, const DirichletBoundary& held,
+Eigen::ArrayXd edge_shares(const Mesh& mesh, const DirichletBoundary& boundary,
                            const UniqueDirichletVertices& vertices)
 {
     const Points x = held_points(mesh, vertices);
     Eigen::ArrayXd share = Eigen::ArrayXd::Zero(x.rows());
-    const BoundarySegments edges = boundary_segments(mesh, held, vertices);
+    const BoundarySegments edges = boundary_segments(mesh, boundary, vertices);
     for (const auto& list : {edges.moving, edges.still})
         for (const auto& [a, b] : list) {
             const double half = 0.5 * (x.row(b) - x.row(a)).head<2>().norm();
@@ -76,30 +76,28 @@ Eigen::ArrayXd raised(const Eigen::ArrayXd& s, double exponent)
     return power;
 }
 
-class IdwSpread final : public BoundaryExtension {
+class IdwExtension final : public BoundaryExtension {
 public:
-    IdwSpread(const Mesh& mesh, const DirichletBoundary& held, const IdwOptions& options)
-        : positions_(points(mesh)), held_(mesh, held), options_(checked(mesh, options)),
-          boundary_(held_points(mesh, held_)), share_(edge_shares(mesh, held, held_))
+    IdwExtension(const Mesh& mesh, const DirichletBoundary& boundary, const IdwOptions& options)
+        : BoundaryExtension(mesh, boundary), positions_(points(mesh)), options_(checked(mesh, options)),
+          boundary_(held_points(mesh, held())), share_(edge_shares(mesh, boundary, held()))
     {
         if (boundary_.rows() == 0)
             throw InputError("no vertex is held: there is nothing to weigh by inverse distance");
     }
 
-    Matrix extend(const Matrix& values) const override
+private:
+    Matrix solve(const Matrix& joined) const override
     {
-        const Matrix joined = held_.join(values);
-        Matrix result(positions_.rows(), values.cols());
+        Matrix result(positions_.rows(), joined.cols());
         parallel_for(
             static_cast<std::size_t>(positions_.rows()), kRows, [&](std::size_t begin, std::size_t end) {
                 const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
                 result.middleRows(first, count) = means(positions_.middleRows(first, count), joined);
             });
-        held_.finish(joined, result);
         return result;
     }
 
-private:
     /// The weighted means at some points.
     Eigen::MatrixXd means(const Eigen::Ref<const Points>& at, const Matrix& values) const
     {
@@ -121,7 +119,6 @@ private:
     }
 
     Points positions_;
-    UniqueDirichletVertices held_;
     IdwOptions options_;
     Points boundary_;      ///< h x 3
     Eigen::ArrayXd share_; ///< A_i
@@ -138,10 +135,10 @@ double default_reach(const Mesh& mesh)
     return (x.rowwise() - mean).rowwise().norm().maxCoeff();
 }
 
-std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                  const IdwOptions& options)
 {
-    return std::make_unique<IdwSpread>(mesh, held, options);
+    return std::make_unique<IdwExtension>(mesh, boundary, options);
 }
 
 } // namespace morph

@@ -2,6 +2,7 @@
 
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
 #include <memory>
 
@@ -33,7 +34,7 @@ double default_reach(const Mesh& mesh);
 ///
 /// @throws InputError  as UniqueDirichletVertices; nothing is held; an exponent, reach or stiffness that is not positive
 ///                     (stiffness may be 0), or b below a
-std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                  const IdwOptions& options = {});
 
 } // namespace morph

@@ -49,14 +49,14 @@ std::vector<Index> pick(const std::vector<Index>& list, const std::vector<Index>
 /// Takes away the error that is left on the boundary, near it.
 class BoundaryCorrection {
 public:
-    BoundaryCorrection(const Mesh& mesh, const DirichletBoundary& held,
+    BoundaryCorrection(const Mesh& mesh, const DirichletBoundary& boundary,
                        const UniqueDirichletVertices& vertices, const Points& centres)
     {
         const Points positions = held_points(mesh, vertices);
         Matrix reach(positions.rows(), 1);
         NearestPoints(centres).nearest(
             positions, 2, [&reach](Index row, auto found) { reach(row, 0) = 2 * found.back().distance; });
-        BoundarySegments edges = boundary_segments(mesh, held, vertices);
+        BoundarySegments edges = boundary_segments(mesh, boundary, vertices);
         edges.moving.insert(edges.moving.end(), edges.still.begin(), edges.still.end());
         find_near(points(mesh), NearestOnSegments(positions, edges.moving), reach);
     }
@@ -96,41 +96,39 @@ private:
     std::vector<std::vector<Near>> near_; ///< by block of vertices
 };
 
-class RbfSpread final : public BoundaryExtension {
+class RbfExtension final : public BoundaryExtension {
 public:
-    RbfSpread(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options,
+    RbfExtension(const Mesh& mesh, const DirichletBoundary& boundary, const RbfOptions& options,
               const std::vector<Index>& centres)
-        : positions_(points(mesh)), held_(mesh, held), rows_(centre_rows(mesh, held_, centres)),
-          interpolant_(radial_interpolant(mesh, pick(held_.vertices(), rows_), options,
-                                          support_radius(mesh, held, options))),
-          correction_(mesh, held, held_, positions_(pick(held_.vertices(), rows_), Eigen::all))
+        : BoundaryExtension(mesh, boundary), positions_(points(mesh)),
+          rows_(centre_rows(mesh, held(), centres)),
+          interpolant_(radial_interpolant(mesh, pick(held().vertices(), rows_), options,
+                                          support_radius(mesh, boundary, options))),
+          correction_(mesh, boundary, held(), positions_(pick(held().vertices(), rows_), Eigen::all))
     {
-    }
-
-    Matrix extend(const Matrix& values) const override
-    {
-        const Matrix joined = held_.join(values);
-        const Matrix coefficients = interpolant_.coefficients(joined(rows_, Eigen::all));
-        Matrix result = interpolant_.evaluate(positions_, coefficients);
-        correction_.subtract(result(held_.vertices(), Eigen::all) - joined, result);
-        held_.finish(joined, result);
-        return result;
     }
 
 private:
+    Matrix solve(const Matrix& joined) const override
+    {
+        const Matrix coefficients = interpolant_.coefficients(joined(rows_, Eigen::all));
+        Matrix result = interpolant_.evaluate(positions_, coefficients);
+        correction_.subtract(result(held().vertices(), Eigen::all) - joined, result);
+        return result;
+    }
+
     Points positions_;
-    UniqueDirichletVertices held_;
-    std::vector<Index> rows_; ///< of held_.vertices(): the centres
+    std::vector<Index> rows_; ///< of held().vertices(): the centres
     RadialInterpolant interpolant_;
     BoundaryCorrection correction_;
 };
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                  const RbfOptions& options, const std::vector<Index>& centres)
 {
-    return std::make_unique<RbfSpread>(mesh, held, options, centres);
+    return std::make_unique<RbfExtension>(mesh, boundary, options, centres);
 }
 
 } // namespace morph

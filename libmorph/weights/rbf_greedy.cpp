@@ -118,12 +118,12 @@ private:
 
 } // namespace
 
-std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& held, const Matrix& values,
+std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& boundary, const Matrix& values,
                                   const RbfOptions& options, const GreedyOptions& greedy)
 {
     require_valid(greedy);
-    const double support = support_radius(mesh, held, options);
-    const UniqueDirichletVertices vertices(mesh, held);
+    const double support = support_radius(mesh, boundary, options);
+    const UniqueDirichletVertices vertices(mesh, boundary);
     const Matrix joined = vertices.join(values);
     if (joined.rows() == 0)
         throw InputError("no vertex is held: radial functions have no centres");

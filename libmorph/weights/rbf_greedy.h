@@ -2,6 +2,7 @@
 
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/rbf.h"
 
 #include <vector>
@@ -25,7 +26,7 @@ struct GreedyOptions {
 /// @return vertices, ascending
 /// @throws InputError   as rbf_extension() and UniqueDirichletVertices::join(); a tolerance that is not positive
 /// @throws SolverError  as rbf_extension(); most_centres are not enough
-std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& held, const Matrix& values,
+std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& boundary, const Matrix& values,
                                   const RbfOptions& options = {}, const GreedyOptions& greedy = {});
 
 } // namespace morph

@@ -46,24 +46,24 @@ void require_distinct_places(const Mesh& mesh, const std::vector<Index>& vertice
 
 } // namespace
 
-double default_support(const Mesh& mesh, const DirichletBoundary& held)
+double default_support(const Mesh& mesh, const DirichletBoundary& boundary)
 {
     std::vector<Index> moving;
-    for (const auto& edge : held.moving_edges)
+    for (const auto& edge : boundary.moving_edges)
         moving.insert(moving.end(), edge.begin(), edge.end());
     const double whole = diagonal(points(mesh));
     const double body = diagonal(points(mesh)(moving, Eigen::all));
     return body > 0 ? std::min(kSupportFactor * body, whole) : whole;
 }
 
-double support_radius(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options)
+double support_radius(const Mesh& mesh, const DirichletBoundary& boundary, const RbfOptions& options)
 {
     if (!(options.support >= 0 && std::isfinite(options.support)))
         throw InputError("the support radius of the radial functions is " + number_text(options.support) +
                          ", but it must be positive, or 0 for the default");
     if (options.function == RadialFunction::thin_plate && !options.linear)
         throw InputError("thin plate splines need linear terms; switch them on or take a Wendland function");
-    const double support = options.support > 0 ? options.support : default_support(mesh, held);
+    const double support = options.support > 0 ? options.support : default_support(mesh, boundary);
     if (!(support > 0))
         throw InputError("the mesh has no extent: radial functions need a support radius");
     return support;

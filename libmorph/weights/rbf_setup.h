@@ -9,7 +9,7 @@ namespace morph {
 
 /// The support radius that @p options mean, which are checked.
 /// @throws InputError  as rbf_extension()
-double support_radius(const Mesh& mesh, const DirichletBoundary& held, const RbfOptions& options);
+double support_radius(const Mesh& mesh, const DirichletBoundary& boundary, const RbfOptions& options);
 
 /// The interpolant with its centres at the given vertices.
 /// @throws InputError, SolverError  as RadialInterpolant; two vertices at the same place

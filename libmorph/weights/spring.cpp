@@ -3,7 +3,6 @@
 #include "libmorph/core/error.h"
 #include "libmorph/numerics/dirichlet_laplacian.h"
 #include "libmorph/weights/energy_extension.h"
-#include "libmorph/weights/unique_dirichlet_vertices.h"
 
 #include <cmath>
 #include <string>
@@ -40,24 +39,17 @@ std::vector<WeightedEdge> springs(const Mesh& mesh, const std::vector<Index>& re
     return edges;
 }
 
-class SpringSpread final : public BoundaryExtension {
+class SpringExtension final : public BoundaryExtension {
 public:
-    SpringSpread(const Mesh& mesh, const DirichletBoundary& held, SpringStiffness stiffness)
-        : held_(mesh, held),
-          problem_(points(mesh), springs(mesh, held_.representatives(), stiffness), held_.vertices())
+    SpringExtension(const Mesh& mesh, const DirichletBoundary& boundary, SpringStiffness stiffness)
+        : BoundaryExtension(mesh, boundary),
+          problem_(points(mesh), springs(mesh, held().representatives(), stiffness), held().vertices())
     {
-    }
-
-    Matrix extend(const Matrix& values) const override
-    {
-        const Matrix joined = held_.join(values);
-        Matrix h = problem_.solve(joined);
-        held_.finish(joined, h);
-        return h;
     }
 
 private:
-    UniqueDirichletVertices held_;
+    Matrix solve(const Matrix& joined) const override { return problem_.solve(joined); }
+
     DirichletLaplacian problem_;
 };
 
@@ -131,13 +123,13 @@ void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, El
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                     SpringStiffness stiffness)
 {
-    return std::make_unique<SpringSpread>(mesh, held, stiffness);
+    return std::make_unique<SpringExtension>(mesh, boundary, stiffness);
 }
 
-std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                           SpringStiffness stiffness, SpringBracing bracing)
 {
     if (bracing == SpringBracing::none)
@@ -157,7 +149,7 @@ std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, cons
                 add_corner(element, i, height_change(corner), ball_stiffness(corner, stiffness), Q);
         }
     };
-    return std::make_unique<EnergyExtension>(mesh, held, energy);
+    return std::make_unique<EnergyExtension>(mesh, boundary, energy);
 }
 
 } // namespace morph

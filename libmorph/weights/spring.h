@@ -3,7 +3,7 @@
 #include "libmorph/core/names.h"
 #include "libmorph/mesh/mesh.h"
 #include "libmorph/weights/boundary_extension.h"
-#include "libmorph/weights/coupled_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
 #include <memory>
 
@@ -47,10 +47,10 @@ struct SpringOptions {
 /// Every column keeps the bounds of its held values. Copies of a split vertex are one unknown; a vertex of no
 /// element gets 0. Scaling, turning or shifting the mesh changes the result by round-off only.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p held is out of range or a vertex there
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
 ///                      twice; a part of the mesh has no held vertex; an edge has no length
 /// @throws SolverError  the system is singular
-std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                     SpringStiffness stiffness);
 
 /// Springs along the edges that pull along them only, and a bracing at each corner of each element: torsional
@@ -70,7 +70,7 @@ std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const Diri
 /// @throws InputError   as spring_extension(); a part of the mesh has fewer than two held vertices; a corner of
 ///                      an element has no angle, three of its points being on a line; no bracing
 /// @throws SolverError  the system is singular
-std::unique_ptr<CoupledExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& held,
+std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                           SpringStiffness stiffness, SpringBracing bracing);
 
 } // namespace morph

@@ -8,7 +8,7 @@ namespace morph {
 
 namespace {
 
-void require_valid(const Mesh& mesh, const DirichletBoundary& held)
+void require_valid(const Mesh& mesh, const DirichletBoundary& boundary)
 {
     if (mesh.dimension != 2)
         throw InputError("boundary values are carried into planar meshes, but this is a surface in space");
@@ -18,27 +18,27 @@ void require_valid(const Mesh& mesh, const DirichletBoundary& held)
             throw InputError(std::string(what) + " names vertex " + std::to_string(v) +
                              ", but the mesh has " + std::to_string(n));
     };
-    for (const Index v : held.vertices)
+    for (const Index v : boundary.vertices)
         require_vertex(v, "the held set");
-    for (const auto& [a, b] : held.moving_edges) {
+    for (const auto& [a, b] : boundary.moving_edges) {
         require_vertex(a, "a moving edge");
         require_vertex(b, "a moving edge");
     }
-    for (const auto& [a, b] : held.walls) {
-        require_vertex(a, "a wall");
-        require_vertex(b, "a wall");
+    for (const auto& [a, b] : boundary.fixed_edges) {
+        require_vertex(a, "a fixed edge");
+        require_vertex(b, "a fixed edge");
     }
 }
 
 } // namespace
 
-UniqueDirichletVertices::UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& held)
+UniqueDirichletVertices::UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& boundary)
 {
-    require_valid(mesh, held);
+    require_valid(mesh, boundary);
     representative_ = morph::representatives(mesh.numbering);
     std::vector<Index> row_of(representative_.size(), -1);
     std::vector<bool> seen(representative_.size());
-    for (const Index v : held.vertices) {
+    for (const Index v : boundary.vertices) {
         const Index file_number = mesh.numbering.vertex[static_cast<std::size_t>(v)];
         if (seen[static_cast<std::size_t>(v)])
             throw InputError("vertex " + std::to_string(file_number) + " is held twice");
@@ -85,7 +85,7 @@ Matrix UniqueDirichletVertices::join(const Matrix& values) const
     return joined;
 }
 
-void UniqueDirichletVertices::finish(const Matrix& joined, Matrix& result) const
+void UniqueDirichletVertices::restore(const Matrix& joined, Matrix& result) const
 {
     for (std::size_t i = 0; i < vertices_.size(); ++i)
         result.row(vertices_[i]) = joined.row(static_cast<Index>(i));

@@ -1,20 +1,19 @@
 #pragma once
 
 #include "libmorph/mesh/mesh.h"
-#include "libmorph/weights/boundary_extension.h"
+#include "libmorph/weights/dirichlet_boundary.h"
 
-#include <array>
 #include <vector>
 
 namespace morph {
 
-/// The held vertices of a mesh, the copies of a split vertex taken as one: what every BoundaryExtension begins and
-/// ends with.
+/// The held vertices of a mesh, the copies of a split vertex taken as one: what BoundaryExtension::extend()
+/// begins and ends with.
 class UniqueDirichletVertices {
 public:
-    /// @throws InputError  the mesh is a surface in space; @p held names a vertex the mesh does not have, or
+    /// @throws InputError  the mesh is a surface in space; @p boundary names a vertex the mesh does not have, or
     ///                     one twice
-    UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& held);
+    UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& boundary);
 
     /// For each vertex the first copy of it: itself, unless it is split.
     const std::vector<Index>& representatives() const { return representative_; }
@@ -35,7 +34,7 @@ public:
     /// @param joined  h x c, from join()
     /// @param result  n x c
     /// @throws SolverError  the result is not finite
-    void finish(const Matrix& joined, Matrix& result) const;
+    void restore(const Matrix& joined, Matrix& result) const;
 
 private:
     std::vector<Index> representative_;

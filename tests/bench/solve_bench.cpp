@@ -3,10 +3,11 @@
 
 #include "libmorph/geometry/segment_tree.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/numerics/dirichlet_laplacian.h"
 #include "libmorph/numerics/sparse_cholesky.h"
-#include "libmorph/weights/harmonic.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/peak_memory.h"
+#include "tests/support/harmonic.h"
 
 #include <benchmark/benchmark.h>
 
@@ -39,19 +40,19 @@ Mesh input(const benchmark::State& state)
 }
 
 /// Bumps around the inner circle, one for each column, 0 on the outer.
-HarmonicProblem problem(const Mesh& mesh)
+test::BoundaryValues problem(const Mesh& mesh)
 {
-    HarmonicProblem made;
+    test::BoundaryValues made;
     for (const Marker& m : mesh.markers)
         for (const Index v : marker_vertices(m))
-            made.held.vertices.push_back(v);
-    made.moving_edges = marker(mesh, "inner").edges;
-    made.held.values.resize(static_cast<Index>(made.held.vertices.size()), kColumns);
-    for (Index i = 0; i < made.held.values.rows(); ++i) {
-        const auto at = points(mesh).row(made.held.vertices[static_cast<std::size_t>(i)]);
+            made.boundary.vertices.push_back(v);
+    made.boundary.moving_edges = marker(mesh, "inner").edges;
+    made.values.resize(static_cast<Index>(made.boundary.vertices.size()), kColumns);
+    for (Index i = 0; i < made.values.rows(); ++i) {
+        const auto at = points(mesh).row(made.boundary.vertices[static_cast<std::size_t>(i)]);
         const double angle = std::atan2(at[1], at[0]);
         for (Index k = 0; k < kColumns; ++k)
-            made.held.values(i, k) =
+            made.values(i, k) =
                 at.norm() > 2 ? 0 : std::pow(std::cos(0.5 * angle - std::numbers::pi * k / kColumns), 2);
     }
     return made;
@@ -81,8 +82,8 @@ void measure(benchmark::State& state, const Run& run)
 void whole(benchmark::State& state, Diffusivity diffusivity)
 {
     const Mesh mesh = input(state);
-    const HarmonicProblem made = problem(mesh);
-    measure(state, [&] { return harmonic_weights(mesh, made, diffusivity); });
+    const test::BoundaryValues made = problem(mesh);
+    measure(state, [&] { return test::harmonic_functions(mesh, made, diffusivity); });
 }
 
 void BM_HarmonicWeights(benchmark::State& state)
@@ -127,8 +128,8 @@ void BM_AssembleOrderFactor(benchmark::State& state)
 {
     const Mesh mesh = input(state);
     const std::vector<WeightedEdge> edges = stiffness_edges(points(mesh), delaunay(mesh));
-    const HarmonicProblem made = problem(mesh);
-    measure(state, [&] { return DirichletLaplacian(points(mesh), edges, made.held.vertices); });
+    const test::BoundaryValues made = problem(mesh);
+    measure(state, [&] { return DirichletLaplacian(points(mesh), edges, made.boundary.vertices); });
 }
 BENCHMARK(BM_AssembleOrderFactor)->Apply(every_size);
 
@@ -181,10 +182,10 @@ BENCHMARK(BM_SparseCholesky)->Apply(every_size);
 void BM_SolveAllColumns(benchmark::State& state)
 {
     const Mesh mesh = input(state);
-    const HarmonicProblem made = problem(mesh);
+    const test::BoundaryValues made = problem(mesh);
     const DirichletLaplacian factored(points(mesh), stiffness_edges(points(mesh), delaunay(mesh)),
-                                      made.held.vertices);
-    measure(state, [&] { return factored.solve(made.held.values); });
+                                      made.boundary.vertices);
+    measure(state, [&] { return factored.solve(made.values); });
 }
 BENCHMARK(BM_SolveAllColumns)->Apply(every_size);
 
@@ -205,15 +206,15 @@ void BM_DistanceToMovingEdges(benchmark::State& state)
 BENCHMARK(BM_DistanceToMovingEdges)->Apply(every_size);
 
 /// The peer: K from the file's triangles and numbering, held rows taken out, LDL^T with AMD.
-Matrix eigens_weights(const Mesh& mesh, const HarmonicProblem& made)
+Matrix eigens_weights(const Mesh& mesh, const test::BoundaryValues& made)
 {
     const Eigen::SparseMatrix<double> K =
         stiffness_matrix(vertex_count(mesh), stiffness_edges(points(mesh), triangulate(mesh)));
     std::vector<Index> row(static_cast<std::size_t>(K.rows()), 0);
     Matrix all = Matrix::Zero(K.rows(), kColumns);
-    for (Index i = 0; i < made.held.values.rows(); ++i) {
-        row[static_cast<std::size_t>(made.held.vertices[static_cast<std::size_t>(i)])] = -1;
-        all.row(made.held.vertices[static_cast<std::size_t>(i)]) = made.held.values.row(i);
+    for (Index i = 0; i < made.values.rows(); ++i) {
+        row[static_cast<std::size_t>(made.boundary.vertices[static_cast<std::size_t>(i)])] = -1;
+        all.row(made.boundary.vertices[static_cast<std::size_t>(i)]) = made.values.row(i);
     }
     Index next = 0;
     for (Index& r : row)
@@ -237,7 +238,7 @@ Matrix eigens_weights(const Mesh& mesh, const HarmonicProblem& made)
 void BM_EigenLdlt(benchmark::State& state)
 {
     const Mesh mesh = input(state);
-    const HarmonicProblem made = problem(mesh);
+    const test::BoundaryValues made = problem(mesh);
     measure(state, [&] { return eigens_weights(mesh, made); });
 }
 BENCHMARK(BM_EigenLdlt)

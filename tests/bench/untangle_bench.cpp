@@ -65,14 +65,9 @@ struct Airfoil {
     /// Plain harmonic displacement of the interior.
     Points after_harmonic() const
     {
-        HarmonicProblem problem;
-        problem.held = {held, Matrix(static_cast<Index>(held.size()), 2)};
-        for (Index i = 0; i < problem.held.values.rows(); ++i) {
-            const Index v = held[static_cast<std::size_t>(i)];
-            problem.held.values.row(i) = (moved.row(v) - points(mesh).row(v)).head<2>();
-        }
-        problem.moving_edges = marker(mesh, "airfoil").edges;
-        const Matrix u = harmonic_weights(mesh, problem, Diffusivity::uniform);
+        const Matrix move = (moved - points(mesh))(held, Eigen::all).leftCols<2>();
+        const DirichletBoundary boundary{held, marker(mesh, "airfoil").edges, {}};
+        const Matrix u = harmonic_extension(mesh, boundary, Diffusivity::uniform)->extend(move);
         Points x = points(mesh);
         x.leftCols<2>() += u;
         for (const Index v : held)

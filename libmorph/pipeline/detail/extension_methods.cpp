@@ -19,15 +19,16 @@ std::unique_ptr<BoundaryExtension> make_rbf(const Mesh& mesh, const DirichletBou
                          greedy_centres(mesh, boundary, values, deform.rbf, greedy));
 }
 
-AnyExtension make_spring(const Mesh& mesh, const DirichletBoundary& boundary, const SpringOptions& spring)
+std::unique_ptr<BoundaryExtension> make_spring(const Mesh& mesh, const DirichletBoundary& boundary,
+                                               const SpringOptions& spring)
 {
     if (spring.bracing == SpringBracing::none)
         return spring_extension(mesh, boundary, spring.stiffness);
     return braced_spring_extension(mesh, boundary, spring.stiffness, spring.bracing);
 }
 
-AnyExtension make_biharmonic(const Mesh& mesh, const DirichletBoundary& boundary,
-                             BiharmonicCondition condition)
+std::unique_ptr<BoundaryExtension> make_biharmonic(const Mesh& mesh, const DirichletBoundary& boundary,
+                                                   BiharmonicCondition condition)
 {
     if (condition == BiharmonicCondition::conformal)
         return conformal_biharmonic_extension(mesh, boundary);
@@ -36,8 +37,8 @@ AnyExtension make_biharmonic(const Mesh& mesh, const DirichletBoundary& boundary
 
 } // namespace
 
-AnyExtension make_extension(const Mesh& mesh, const DirichletBoundary& boundary, const DeformSettings& deform,
-                            const Matrix& values)
+std::unique_ptr<BoundaryExtension> make_extension(const Mesh& mesh, const DirichletBoundary& boundary,
+                                                  const DeformSettings& deform, const Matrix& values)
 {
     switch (deform.method) {
     case Method::harmonic:

@@ -15,12 +15,9 @@ namespace {
 BoundaryMove plain_move(const DeformSettings& deform)
 {
     return [deform](const Mesh& mesh, const DirichletBoundary& boundary, const Matrix& displacement) {
-        const AnyExtension made = make_extension(mesh, boundary, deform, displacement);
-        if (const auto* coupled = std::get_if<std::unique_ptr<CoupledExtension>>(&made))
-            return Matrix((*coupled)->extend(displacement));
-        const BoundaryExtension& extension = *std::get<std::unique_ptr<BoundaryExtension>>(made);
-        return uses_rotations(deform) ? extend_with_rotations(extension, mesh, boundary, displacement)
-                                      : extension.extend(displacement);
+        const auto extension = make_extension(mesh, boundary, deform, displacement);
+        return uses_rotations(deform) ? extend_with_rotations(*extension, mesh, boundary, displacement)
+                                      : extension->extend(displacement);
     };
 }
 
@@ -45,8 +42,8 @@ NonlinearMotion nonlinear_motion(const PlacedBoundaries& placed, const MotionSet
     if (uses_rotations(deform) && couples_directions(deform))
         throw InputError(deform.where + "[deform] rotations go with methods that move x and y apart; \"" +
                          to_string(deform.method) + "\" as it is set moves them together");
-    NonlinearMotion motion{dirichlet_boundary(placed.conditions), placed.conditions.held.values,
-                           plain_move(deform), deform.steps};
+    NonlinearMotion motion{placed.conditions.boundary, placed.conditions.values, plain_move(deform),
+                           deform.steps};
     std::vector<RigidLayer> layers;
     for (const RigidMarker& rigid : deform.rigid) {
         if (rigid.distance > 0)
@@ -70,11 +67,6 @@ int move_nonlinear(const Mesh& mesh, const NonlinearMotion& motion, const Matrix
     const int steps = move_in_steps(moving, motion.boundary, moved, motion.move, motion.steps);
     positions = points(moving);
     return steps;
-}
-
-DirichletBoundary dirichlet_boundary(const BoundaryConditions& conditions)
-{
-    return {conditions.held.vertices, conditions.moving_edges, conditions.marker_edges};
 }
 
 } // namespace morph

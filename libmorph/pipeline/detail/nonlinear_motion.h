@@ -30,7 +30,4 @@ NonlinearMotion nonlinear_motion(const PlacedBoundaries& placed, const MotionSet
 int move_nonlinear(const Mesh& mesh, const NonlinearMotion& motion, const Matrix& displacements,
                    Eigen::Map<Points> positions);
 
-/// The boundary where the weights of control points are given.
-DirichletBoundary dirichlet_boundary(const BoundaryConditions& conditions);
-
 } // namespace morph

@@ -21,14 +21,6 @@ PreparedMotion motion_of_lattice(const Mesh& mesh, const MotionSettings& setting
     return motion;
 }
 
-Weights solved_weights(const Mesh& mesh, const BoundaryConditions& conditions, const DeformSettings& deform)
-{
-    const DirichletBoundary boundary = dirichlet_boundary(conditions);
-    const Matrix& values = conditions.held.values;
-    const AnyExtension made = make_extension(mesh, boundary, deform, values);
-    return {conditions.columns, std::get<std::unique_ptr<BoundaryExtension>>(made)->extend(values)};
-}
-
 /// With the boundary's rows set, so that its nodes land on their curves.
 Weights on_boundary(Weights given, const Mesh& mesh, const BoundaryConditions& conditions)
 {
@@ -38,9 +30,9 @@ Weights on_boundary(Weights given, const Mesh& mesh, const BoundaryConditions& c
             "the given weights are " + std::to_string(given.values.rows()) + " x " +
             std::to_string(given.values.cols()) + " of other control points or vertices; expected " +
             std::to_string(vertex_count(mesh)) + " x " + std::to_string(conditions.columns.size()));
-    for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
-        given.values.row(conditions.held.vertices[i]) =
-            conditions.held.values.row(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < conditions.boundary.vertices.size(); ++i)
+        given.values.row(conditions.boundary.vertices[i]) =
+            conditions.values.row(static_cast<Eigen::Index>(i));
     return given;
 }
 
@@ -49,11 +41,11 @@ SparseWeights boundary_weights(const Mesh& mesh, const BoundaryConditions& condi
 {
     SparseWeights weights{conditions.columns, {}};
     std::vector<Eigen::Triplet<double, Index>> entries;
-    for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
-        for (Index k = 0; k < conditions.held.values.cols(); ++k)
-            if (const double value = conditions.held.values(static_cast<Index>(i), k); value != 0)
-                entries.emplace_back(conditions.held.vertices[i], k, value);
-    weights.values.resize(vertex_count(mesh), conditions.held.values.cols());
+    for (std::size_t i = 0; i < conditions.boundary.vertices.size(); ++i)
+        for (Index k = 0; k < conditions.values.cols(); ++k)
+            if (const double value = conditions.values(static_cast<Index>(i), k); value != 0)
+                entries.emplace_back(conditions.boundary.vertices[i], k, value);
+    weights.values.resize(vertex_count(mesh), conditions.values.cols());
     weights.values.setFromTriplets(entries.begin(), entries.end());
     return weights;
 }
@@ -127,7 +119,8 @@ PreparedMotion prepare_motion(const Mesh& mesh, const MotionSettings& settings, 
         motion.weights = boundary_weights(mesh, conditions);
     } else {
         motion.weights = given ? on_boundary(std::move(*given), mesh, conditions)
-                               : solved_weights(mesh, conditions, deform);
+                               : extended_weights(conditions, *make_extension(mesh, conditions.boundary, deform,
+                                                                              conditions.values));
     }
     return motion;
 }

@@ -171,7 +171,7 @@ struct WalledSquare {
             return row[static_cast<std::size_t>(j) * (kCells + 1) + kCells / 2];
         };
         for (Index j = 0; j < kCells; ++j) {
-            held.walls.push_back({middle(j), middle(j + 1)});
+            held.fixed_edges.push_back({middle(j), middle(j + 1)});
             if (j > 0)
                 held.vertices.push_back(middle(j));
         }
@@ -198,7 +198,7 @@ TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
     };
     EXPECT_EQ(beyond(square.held), 0);
     DirichletBoundary one_sided = square.held;
-    one_sided.walls.clear(); // values only: the slope at the line carries over
+    one_sided.fixed_edges.clear(); // values only: the slope at the line carries over
     EXPECT_GT(beyond(one_sided), 0.01);
 }
 

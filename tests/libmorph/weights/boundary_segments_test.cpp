@@ -33,7 +33,7 @@ TEST(BoundarySegments, IncludeWallsAndLoneVertices)
     DirichletBoundary held = test::dirichlet_boundary(mesh, {"bottom"});
     const auto boundary = static_cast<Index>(held.vertices.size());
     held.vertices.insert(held.vertices.end(), inner.begin(), inner.begin() + 3);
-    held.walls = {{inner[0], inner[1]}, {inner[0], inner[3]}}; // the last is not held
+    held.fixed_edges = {{inner[0], inner[1]}, {inner[0], inner[3]}}; // the last is not held
     const BoundarySegments edges = boundary_segments(mesh, held, UniqueDirichletVertices(mesh, held));
     ASSERT_EQ(edges.still.size(), 14);
     EXPECT_EQ(edges.still[12], (BoundarySegment{boundary, boundary + 1}));
@@ -51,7 +51,7 @@ TEST(UniqueDirichletVertices, TakeTheCopiesOfASplitVertexAsOne)
     EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](Index row) { return row >= 0; }),
               static_cast<std::ptrdiff_t>(vertices.vertices().size()) + copies);
     Matrix everything = Matrix::Zero(vertex_count(mesh), 1);
-    vertices.finish(vertices.join(Matrix::Ones(static_cast<Index>(held.vertices.size()), 1)), everything);
+    vertices.restore(vertices.join(Matrix::Ones(static_cast<Index>(held.vertices.size()), 1)), everything);
     EXPECT_EQ(everything.sum(), static_cast<double>(vertices.vertices().size()) + copies);
 }
 

@@ -2,7 +2,9 @@
 #include "libmorph/deform/apply.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/weights/boundary.h"
+#include "libmorph/weights/elasticity.h"
 #include "libmorph/weights/harmonic_curves.h"
+#include "libmorph/weights/rbf.h"
 #include "tests/support/meshes.h"
 
 #include <gmock/gmock.h>
@@ -57,16 +59,16 @@ Index vertex_at(const Mesh& mesh, double x, double y)
 
 Eigen::RowVectorXd dirichlet_row(const BoundaryConditions& conditions, Index vertex)
 {
-    for (std::size_t i = 0; i < conditions.held.vertices.size(); ++i)
-        if (conditions.held.vertices[i] == vertex)
-            return conditions.held.values.row(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < conditions.boundary.vertices.size(); ++i)
+        if (conditions.boundary.vertices[i] == vertex)
+            return conditions.values.row(static_cast<Eigen::Index>(i));
     return {};
 }
 
 TEST(BoundaryConditions, HoldEveryBoundaryVertexOnce)
 {
     const Corner corner;
-    EXPECT_EQ(corner.conditions.held.vertices.size(), 24U);
+    EXPECT_EQ(corner.conditions.boundary.vertices.size(), 24U);
     EXPECT_EQ(corner.conditions.columns.size(), 8U);
     EXPECT_EQ(corner.conditions.columns[4], (ControlPoint{"right", 0}));
     EXPECT_EQ(corner.conditions.unmarked, 0);
@@ -103,7 +105,7 @@ TEST(BoundaryConditions, HoldVerticesThatNoMarkerNames)
     const Mesh mesh = build_mesh(data);
     const auto conditions = boundary_conditions(mesh, {parametrize_marker(mesh, "bottom", kBottom)}, {});
     EXPECT_EQ(conditions.unmarked, 17);
-    EXPECT_EQ(conditions.held.vertices.size(), 24U);
+    EXPECT_EQ(conditions.boundary.vertices.size(), 24U);
 }
 
 TEST(RequireEndsTogether, AcceptsEndsThatMoveAlike)
@@ -206,6 +208,35 @@ TEST(HarmonicCurveWeights, MoveBoundaryNodesOntoTheMovedCurves)
     const Curve moved = kBottom.with_control_points(kBottom.definition().control_points + moves.topRows(4));
     for (const Index v : marker_vertices(marker(mesh, "bottom")))
         EXPECT_LT(closest_parameter(moved, points(mesh).row(v).head<2>().transpose()).distance, 1e-12);
+}
+
+TEST(BoundaryConditions, FixEveryMarkerWithoutACurve)
+{
+    const Mesh mesh = build_mesh(test::uneven_square(6));
+    const auto all = boundary_conditions(mesh, {{"bottom", kBottom}, {"right", kRight}});
+    const Corner corner;
+    EXPECT_EQ(all.boundary.vertices, corner.conditions.boundary.vertices);
+    EXPECT_EQ(all.values, corner.conditions.values);
+    EXPECT_EQ(all.boundary.moving_edges.size(), 12U);
+    EXPECT_EQ(all.boundary.fixed_edges.size(), 12U);
+}
+
+TEST(BoundaryConditions, SpeakOfWhatAnyMethodExtends)
+{
+    const Mesh mesh = build_mesh(test::uneven_square(6));
+    const auto conditions = boundary_conditions(mesh, {{"bottom", kBottom}});
+    Matrix moves = Matrix::Zero(4, 2);
+    moves.row(1) << 0.02, 0.1;
+    const auto rbf = rbf_extension(mesh, conditions.boundary);
+    const Weights weights = extended_weights(conditions, *rbf);
+    EXPECT_EQ(weights.columns, conditions.columns);
+    const Matrix at_once = rbf->extend(conditions.values * moves);
+    EXPECT_LE((weights.values * moves - at_once).norm(), 1e-12 * at_once.norm());
+    const auto elastic = elastic_extension(mesh, conditions.boundary, {});
+    const Matrix moved = elastic->extend(conditions.values * moves);
+    for (const Index v : marker_vertices(marker(mesh, "bottom")))
+        EXPECT_EQ(moved.row(v), at_once.row(v));
+    EXPECT_THROW(extended_weights(conditions, *elastic), InputError);
 }
 
 } // namespace

@@ -11,7 +11,9 @@
 namespace {
 
 using namespace morph;
-using test::hold_boundary;
+using test::BoundaryValues;
+using test::harmonic_functions;
+using test::prescribe_boundary;
 using test::uneven_annulus;
 using test::x_of;
 using test::y_of;
@@ -38,7 +40,7 @@ double annulus_error(const MeshData& data, Diffusivity diffusivity, const Functi
 {
     const Mesh mesh = build_mesh(data);
     const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(one_inside(x, y)); };
-    const Matrix h = harmonic_weights(mesh, hold_boundary(mesh, "inner", values), diffusivity);
+    const Matrix h = harmonic_functions(mesh, prescribe_boundary(mesh, "inner", values), diffusivity);
     return worst_error(mesh, h, [&](double x, double y) { return exact(std::hypot(x, y)); });
 }
 
@@ -93,11 +95,11 @@ double mean_value_error(Index around)
     disc.markers.erase(disc.markers.begin());
     const Mesh mesh = build_mesh(disc);
     const auto values = [](double x, double y) { return Eigen::Matrix<double, 1, 1>(std::exp(x) * x + y); };
-    const HarmonicProblem problem = hold_boundary(mesh, "outer", values);
-    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+    const BoundaryValues problem = prescribe_boundary(mesh, "outer", values);
+    const Matrix h = harmonic_functions(mesh, problem, Diffusivity::uniform);
     const auto& file = mesh.numbering.vertex;
     const auto inside = std::find(file.begin(), file.end(), centre) - file.begin();
-    return std::abs(h(inside, 0) - problem.held.values.mean()); // the circle's vertices are evenly spaced
+    return std::abs(h(inside, 0) - problem.values.mean()); // the circle's vertices are evenly spaced
 }
 
 TEST(HarmonicWeights, AtTheCentreOfADiscAreTheMeanOnTheCircle)

@@ -24,7 +24,9 @@ namespace {
 
 using namespace morph;
 using std::numbers::pi;
-using test::hold_boundary;
+using test::BoundaryValues;
+using test::harmonic_functions;
+using test::prescribe_boundary;
 using test::uneven_annulus;
 using test::x_of;
 using test::y_of;
@@ -58,7 +60,7 @@ class HarmonicWeightsOf : public testing::TestWithParam<MeshData (*)(Index)> {};
 TEST_P(HarmonicWeightsOf, ASquareReproduceAffineFunctions)
 {
     const Mesh mesh = build_mesh(GetParam()(20));
-    const Matrix h = harmonic_weights(mesh, hold_boundary(mesh, "top", affine), Diffusivity::uniform);
+    const Matrix h = harmonic_functions(mesh, prescribe_boundary(mesh, "top", affine), Diffusivity::uniform);
     Matrix exact(h.rows(), 3);
     for (Index v = 0; v < h.rows(); ++v)
         exact.row(v) = affine(x_of(mesh, v), y_of(mesh, v));
@@ -70,9 +72,9 @@ INSTANTIATE_TEST_SUITE_P(Meshes, HarmonicWeightsOf,
 
 class HarmonicWeightsFor : public testing::TestWithParam<Diffusivity> {
 protected:
-    Matrix solve(const Mesh& mesh, const HarmonicProblem& problem) const
+    Matrix solve(const Mesh& mesh, const BoundaryValues& problem) const
     {
-        return harmonic_weights(mesh, problem, GetParam());
+        return harmonic_functions(mesh, problem, GetParam());
     }
 };
 
@@ -83,7 +85,7 @@ TEST_P(HarmonicWeightsFor, EveryRealMeshKeepTheirBoundsAndSum)
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
         const Mesh mesh = read_mesh(path);
-        const Matrix h = solve(mesh, hold_boundary(mesh, mesh.markers.front().name, partition));
+        const Matrix h = solve(mesh, prescribe_boundary(mesh, mesh.markers.front().name, partition));
         // Eliminating an M-matrix adds numbers of one sign only, so that rounding cannot go below zero.
         EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
         const auto sum = h.rowwise().sum().array();
@@ -97,7 +99,7 @@ TEST_P(HarmonicWeightsFor, StretchedCellsKeepTheirBounds)
     MeshData data = test::uneven_square(30);
     data.points.col(1) *= 1e-5;
     const Mesh mesh = build_mesh(data);
-    const Matrix h = solve(mesh, hold_boundary(mesh, "bottom", partition));
+    const Matrix h = solve(mesh, prescribe_boundary(mesh, "bottom", partition));
     EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
     EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
 }
@@ -105,13 +107,13 @@ TEST_P(HarmonicWeightsFor, StretchedCellsKeepTheirBounds)
 TEST_P(HarmonicWeightsFor, DataThatAreCombinedAreCombined)
 {
     const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
-    HarmonicProblem problem = hold_boundary(mesh, "inner", affine);
+    BoundaryValues problem = prescribe_boundary(mesh, "inner", affine);
     const Matrix h = solve(mesh, problem);
     Eigen::Matrix<double, 3, 2> mix;
     mix << 1, 2, -3, 4, 0.5, 0;
-    problem.held.values = (problem.held.values * mix).eval();
+    problem.values = (problem.values * mix).eval();
     EXPECT_LE((solve(mesh, problem) - h * mix).norm(), kSolveTol * h.norm() * mix.norm());
-    problem.held.values.setZero();
+    problem.values.setZero();
     EXPECT_EQ(solve(mesh, problem).norm(), 0);
 }
 
@@ -119,7 +121,7 @@ TEST_P(HarmonicWeightsFor, AMeshInOtherUnitsOrElsewhereAreTheSame)
 {
     const MeshData data = uneven_annulus(kInner, kOuter, 40);
     const Mesh mesh = build_mesh(data);
-    HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    BoundaryValues problem = prescribe_boundary(mesh, "inner", partition);
     const Matrix h = solve(mesh, problem);
     for (const double scale : {1e-8, 1e8}) {
         Mesh scaled = mesh;
@@ -150,7 +152,7 @@ TEST_P(HarmonicWeightsFor, TheFilesNumberingDoesNotMatter)
 
     const auto by_file = [&](const MeshData& file) {
         const Mesh mesh = build_mesh(file);
-        const Matrix h = solve(mesh, hold_boundary(mesh, "inner", partition));
+        const Matrix h = solve(mesh, prescribe_boundary(mesh, "inner", partition));
         Matrix sorted(h.rows(), h.cols());
         for (Index v = 0; v < h.rows(); ++v)
             sorted.row(mesh.numbering.vertex[static_cast<std::size_t>(v)]) = h.row(v);
@@ -164,7 +166,7 @@ TEST_P(HarmonicWeightsFor, TheFilesNumberingDoesNotMatter)
 TEST_P(HarmonicWeightsFor, AnyNumberOfThreadsAreTheSameBytes)
 {
     const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 360)); // 32760 vertices: several tasks
-    const HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    const BoundaryValues problem = prescribe_boundary(mesh, "inner", partition);
     set_thread_count(1);
     const Matrix alone = solve(mesh, problem);
     for (const int threads : {2, 3}) {
@@ -177,13 +179,13 @@ TEST_P(HarmonicWeightsFor, AnyNumberOfThreadsAreTheSameBytes)
 TEST_P(HarmonicWeightsFor, OneFactorisationServesFurtherRightHandSides)
 {
     const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
-    const HarmonicProblem problem = hold_boundary(mesh, "inner", partition);
+    const BoundaryValues problem = prescribe_boundary(mesh, "inner", partition);
     const auto extension =
-        harmonic_extension(mesh, {problem.held.vertices, problem.moving_edges, problem.walls}, GetParam());
+        harmonic_extension(mesh, problem.boundary, GetParam());
     for (const double factor : {1.0, 3.0}) {
-        HarmonicProblem scaled = problem;
-        scaled.held.values = factor * problem.held.values.rightCols(2);
-        EXPECT_EQ(extension->extend(scaled.held.values), solve(mesh, scaled)) << factor;
+        BoundaryValues scaled = problem;
+        scaled.values = factor * problem.values.rightCols(2);
+        EXPECT_EQ(extension->extend(scaled.values), solve(mesh, scaled)) << factor;
     }
 }
 
@@ -195,7 +197,7 @@ TEST_P(HarmonicWeightsFor, ATangledMeshAreFiniteAndKeepTheirBounds)
     for (Index v = 0; v < data.points.rows(); ++v)
         data.points.row(v) += Eigen::RowVector3d(shift(random), shift(random), 0);
     const Mesh mesh = build_mesh(data);
-    const Matrix h = solve(mesh, hold_boundary(mesh, "left", partition));
+    const Matrix h = solve(mesh, prescribe_boundary(mesh, "left", partition));
     EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
     EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
 }
@@ -208,7 +210,7 @@ TEST_P(HarmonicWeightsFor, SliversOfNoAreaKeepTheirBounds)
         data.points(5 * 13 + i, 1) += i == 6 ? 0 : 1e-12;
     }
     const Mesh mesh = build_mesh(data);
-    const Matrix h = solve(mesh, hold_boundary(mesh, "left", partition));
+    const Matrix h = solve(mesh, prescribe_boundary(mesh, "left", partition));
     EXPECT_GE(h.minCoeff<Eigen::PropagateNaN>(), 0);
     EXPECT_LE((h.rowwise().sum().array() - 1).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
 }
@@ -221,21 +223,21 @@ TEST_P(HarmonicWeightsFor, OneTriangleAreItsHeldValues)
     data.elements = {{0, 1, 2, -1}};
     data.markers = {{"all", {{0, 1}, {1, 2}, {2, 0}}}};
     const Mesh mesh = build_mesh(data);
-    HarmonicProblem problem;
-    problem.moving_edges = mesh.markers[0].edges;
-    problem.held.vertices = marker_vertices(mesh.markers[0]);
-    problem.held.values = Matrix::Identity(3, 3);
+    BoundaryValues problem;
+    problem.boundary.moving_edges = mesh.markers[0].edges;
+    problem.boundary.vertices = marker_vertices(mesh.markers[0]);
+    problem.values = Matrix::Identity(3, 3);
     const Matrix h = solve(mesh, problem);
     for (Index i = 0; i < 3; ++i)
-        EXPECT_EQ(h.row(problem.held.vertices[static_cast<std::size_t>(i)]), problem.held.values.row(i));
+        EXPECT_EQ(h.row(problem.boundary.vertices[static_cast<std::size_t>(i)]), problem.values.row(i));
     EXPECT_EQ(h.sum(), 3); // the vertex of no element has 0
 }
 
 TEST(HarmonicWeights, AgreeWithEigensFactorisation)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/rae2822_turb.su2")); // layers stretched 1e4 times
-    const HarmonicProblem problem = hold_boundary(mesh, mesh.markers.front().name, partition);
-    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+    const BoundaryValues problem = prescribe_boundary(mesh, mesh.markers.front().name, partition);
+    const Matrix h = harmonic_functions(mesh, problem, Diffusivity::uniform);
 
     Triangulation triangulation = triangulate(mesh);
     make_delaunay(points(mesh), triangulation);
@@ -243,10 +245,10 @@ TEST(HarmonicWeights, AgreeWithEigensFactorisation)
         stiffness_matrix(vertex_count(mesh), stiffness_edges(points(mesh), triangulation));
     Matrix B = Matrix::Zero(K.rows(), 3);
     std::vector<bool> held(static_cast<std::size_t>(K.rows()));
-    for (Index i = 0; i < problem.held.values.rows(); ++i) {
-        const Index v = problem.held.vertices[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < problem.values.rows(); ++i) {
+        const Index v = problem.boundary.vertices[static_cast<std::size_t>(i)];
         held[static_cast<std::size_t>(v)] = true;
-        B.row(v) = problem.held.values.row(i);
+        B.row(v) = problem.values.row(i);
     }
     const Matrix lifted = B - K * B; // at free vertices B is 0
     for (Index v = 0; v < B.rows(); ++v)
@@ -268,12 +270,12 @@ Index inverted_by_turning(double degrees, Diffusivity diffusivity)
     Mesh mesh = read_mesh(test::data_path("meshes/naca0012_inv.su2"));
     const Eigen::Rotation2Dd turn(degrees * pi / 180);
     const Eigen::Vector2d centre(0.5, 0);
-    HarmonicProblem problem = hold_boundary(mesh, "airfoil", [&](double x, double y) {
+    BoundaryValues problem = prescribe_boundary(mesh, "airfoil", [&](double x, double y) {
         const Eigen::Vector2d from_centre = Eigen::Vector2d(x, y) - centre;
         const Eigen::Vector2d moved = turn * from_centre - from_centre;
         return Eigen::RowVector2d((from_centre.norm() < 2 ? 1 : 0) * moved.transpose());
     });
-    points(mesh).leftCols<2>() += harmonic_weights(mesh, problem, diffusivity);
+    points(mesh).leftCols<2>() += harmonic_functions(mesh, problem, diffusivity);
     Index inverted = 0;
     for (const auto& [a, b, c, none] : element_table(mesh))
         inverted += (x_of(mesh, b) - x_of(mesh, a)) * (y_of(mesh, c) - y_of(mesh, a)) <=
@@ -293,49 +295,49 @@ TEST(HarmonicWeights, OfCopiesOfASplitVertexAreOneUnknown)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
     ASSERT_GT(vertex_count(mesh), mesh.numbering.file_vertices);
-    HarmonicProblem problem; // one held vertex: through the shared corner it holds both squares
-    problem.held.vertices = {0};
-    problem.held.values = Matrix::Constant(1, 1, 2.0);
-    const Matrix h = harmonic_weights(mesh, problem, Diffusivity::uniform);
+    BoundaryValues problem; // one held vertex: through the shared corner it holds both squares
+    problem.boundary.vertices = {0};
+    problem.values = Matrix::Constant(1, 1, 2.0);
+    const Matrix h = harmonic_functions(mesh, problem, Diffusivity::uniform);
     EXPECT_LE((h.array() - 2).abs().maxCoeff<Eigen::PropagateNaN>(), kBoundTol);
 }
 
 TEST(HarmonicWeights, RefuseTwoValuesForTheCopiesOfAVertex)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
-    HarmonicProblem problem;
+    BoundaryValues problem;
     for (Index v = 0; v < vertex_count(mesh); ++v)
-        problem.held.vertices.push_back(v);
-    problem.held.values = Matrix::Ones(vertex_count(mesh), 1);
-    EXPECT_EQ(harmonic_weights(mesh, problem, Diffusivity::uniform), problem.held.values);
-    problem.held.values.col(0).setLinSpaced(0, 1);
-    EXPECT_THROW(harmonic_weights(mesh, problem, Diffusivity::uniform), InputError);
+        problem.boundary.vertices.push_back(v);
+    problem.values = Matrix::Ones(vertex_count(mesh), 1);
+    EXPECT_EQ(harmonic_functions(mesh, problem, Diffusivity::uniform), problem.values);
+    problem.values.col(0).setLinSpaced(0, 1);
+    EXPECT_THROW(harmonic_functions(mesh, problem, Diffusivity::uniform), InputError);
 }
 
 TEST(HarmonicWeights, RefuseAProblemThatMakesNoSense)
 {
     Mesh mesh = build_mesh(test::uneven_square(4));
-    const HarmonicProblem good = hold_boundary(mesh, "top", affine);
-    const auto refuses = [&](const HarmonicProblem& problem, Diffusivity diffusivity) {
-        EXPECT_THROW(harmonic_weights(mesh, problem, diffusivity), InputError);
+    const BoundaryValues good = prescribe_boundary(mesh, "top", affine);
+    const auto refuses = [&](const BoundaryValues& problem, Diffusivity diffusivity) {
+        EXPECT_THROW(harmonic_functions(mesh, problem, diffusivity), InputError);
     };
     refuses({}, Diffusivity::uniform);
-    HarmonicProblem bad = good;
-    bad.held.vertices.back() = 25;
+    BoundaryValues bad = good;
+    bad.boundary.vertices.back() = 25;
     refuses(bad, Diffusivity::uniform);
     bad = good;
-    bad.held.vertices.pop_back();
+    bad.boundary.vertices.pop_back();
     refuses(bad, Diffusivity::uniform);
     bad = good;
-    bad.held.values(3, 1) = NAN;
+    bad.values(3, 1) = NAN;
     refuses(bad, Diffusivity::uniform);
     bad = good;
-    bad.moving_edges.push_back({0, -1});
+    bad.boundary.moving_edges.push_back({0, -1});
     refuses(bad, Diffusivity::inverse_distance);
-    bad.moving_edges.clear();
+    bad.boundary.moving_edges.clear();
     refuses(bad, Diffusivity::inverse_distance);
     bad = good;
-    bad.held.vertices[1] = bad.held.vertices[0];
+    bad.boundary.vertices[1] = bad.boundary.vertices[0];
     refuses(bad, Diffusivity::uniform);
     mesh.dimension = 3;
     refuses(good, Diffusivity::uniform);
