@@ -35,13 +35,13 @@ SymmetricMatrix diagonal_block(const SymmetricMatrix& A, std::size_t begin, std:
 /// Stands for A by its diagonal blocks.
 class BlockFactors {
 public:
-    BlockFactors(const SymmetricMatrix& A, const Points2& where, Index block)
+    BlockFactors(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where, Index block)
         : rows_(A.diagonal.size()), block_(static_cast<std::size_t>(block)),
           factors_((rows_ + block_ - 1) / block_)
     {
         parallel_for(rows_, block_, [&](std::size_t begin, std::size_t end) {
             const SymmetricMatrix part = diagonal_block(A, begin, end);
-            const Points2 places =
+            const auto places =
                 where.middleRows(static_cast<Index>(begin), static_cast<Index>(end - begin));
             factors_[begin / block_] =
                 std::make_unique<SparseCholesky>(part, nested_dissection(part, places));
@@ -95,7 +95,7 @@ void multiply(const SymmetricMatrix& A, const Matrix& x, Matrix& result)
 
 } // namespace
 
-int conjugate_gradients(const SymmetricMatrix& A, const Points2& where,
+int conjugate_gradients(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where,
                         const ConjugateGradientOptions& options, Matrix& x)
 {
     const BlockFactors factors(A, where, options.block);

@@ -18,11 +18,11 @@ struct ConjugateGradientOptions {
 ///
 /// Every iterate is a descent direction for 1/2 x^T A x - b^T x. The same bytes for any number of threads.
 ///
-/// @param where  n x 2, finite: what rows stand for; only the order of elimination depends on it
+/// @param where  n x d, finite: what rows stand for; only the order of elimination depends on it
 /// @param x      n x 1: b, becomes x
 /// @return the number of iterations
 /// @throws SolverError  a block, or A along a direction, is not positive definite
-int conjugate_gradients(const SymmetricMatrix& A, const Points2& where,
+int conjugate_gradients(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where,
                         const ConjugateGradientOptions& options, Matrix& x);
 
 } // namespace morph

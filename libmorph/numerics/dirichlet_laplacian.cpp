@@ -93,7 +93,7 @@ struct DirichletLaplacian::Parts {
     SparseCholesky factor;
 };
 
-DirichletLaplacian::DirichletLaplacian(const Eigen::Ref<const Points>& points,
+DirichletLaplacian::DirichletLaplacian(const Eigen::Ref<const Matrix>& points,
                                        const std::vector<WeightedEdge>& edges, const std::vector<Index>& held)
 {
     DofMap places = places_of(static_cast<Index>(points.rows()), edges, held);

@@ -12,13 +12,13 @@ namespace morph {
 /// Factors once, solves for as many right-hand sides as asked, as often as asked.
 class DirichletLaplacian {
 public:
-    /// @param points  n x 3: where the vertices are; only the order of elimination depends on it
+    /// @param points  n x d: where the vertices are; only the order of elimination depends on it
     /// @param edges   weights not negative
     /// @param held    distinct vertices in [0, n)
     /// @throws InputError   a held vertex is out of range or given twice, or a part of the graph has no
     ///                      held vertex: the solution there would be arbitrary
     /// @throws SolverError  the matrix is not positive definite: a part hangs on by weights of zero
-    DirichletLaplacian(const Eigen::Ref<const Points>& points, const std::vector<WeightedEdge>& edges,
+    DirichletLaplacian(const Eigen::Ref<const Matrix>& points, const std::vector<WeightedEdge>& edges,
                        const std::vector<Index>& held);
     ~DirichletLaplacian();
     DirichletLaplacian(DirichletLaplacian&&) noexcept;

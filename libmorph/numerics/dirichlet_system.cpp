@@ -109,7 +109,7 @@ struct DirichletSystem::Parts {
     SparseCholesky factor;
 };
 
-DirichletSystem::DirichletSystem(const Eigen::Ref<const Points>& points, const SymmetricMatrix& A,
+DirichletSystem::DirichletSystem(const Eigen::Ref<const Matrix>& points, const SymmetricMatrix& A,
                                  Index components, const std::vector<Index>& held)
 {
     DofMap places = places_of(A, components, held);

@@ -14,7 +14,7 @@ namespace morph {
 /// has no bounds to keep. Factors once, solves as often as asked.
 class DirichletSystem {
 public:
-    /// @param points      n x 3: where the vertices are; only the order of elimination depends on it
+    /// @param points      n x d: where the vertices are; only the order of elimination depends on it
     /// @param A           c n rows, positive semidefinite; unknown k of vertex v is row c v + k
     /// @param components  c
     /// @param held        distinct vertices in [0, n)
@@ -22,7 +22,7 @@ public:
     /// than
     ///                      c held vertices: the solution there would be arbitrary
     /// @throws SolverError  the matrix is not positive definite
-    DirichletSystem(const Eigen::Ref<const Points>& points, const SymmetricMatrix& A, Index components,
+    DirichletSystem(const Eigen::Ref<const Matrix>& points, const SymmetricMatrix& A, Index components,
                     const std::vector<Index>& held);
     ~DirichletSystem();
 

@@ -30,12 +30,12 @@ void DofMap::hold(Index v, Index i)
     place_[static_cast<std::size_t>(v)] = -2 - i;
 }
 
-Points2 DofMap::free_points(const Eigen::Ref<const Points>& points) const
+Matrix DofMap::free_points(const Eigen::Ref<const Matrix>& points) const
 {
-    Points2 where(free_, 2);
+    Matrix where(free_, points.cols());
     for (Index v = 0; v < points.rows(); ++v)
         if (const Index r = row(v); r >= 0)
-            where.row(r) = points.row(v).head<2>();
+            where.row(r) = points.row(v);
     return where;
 }
 

@@ -2,6 +2,8 @@
 
 #include "libmorph/numerics/symmetric_matrix.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace morph {
@@ -24,8 +26,9 @@ public:
     Index dirichlet_row(Index v) const { return -2 - row(v); }
 
     /// Where the free vertices are, by row.
-    /// @param points  n x 3, z is ignored
-    Points2 free_points(const Eigen::Ref<const Points>& points) const;
+    /// @param points  n x d
+    /// @return m x d for m free vertices
+    Matrix free_points(const Eigen::Ref<const Matrix>& points) const;
 
 private:
     static constexpr Index kAlone = -1; // held vertex i has -2 - i, a free one its row

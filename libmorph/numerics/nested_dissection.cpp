@@ -17,20 +17,19 @@ constexpr Index kSmallestTask = 10000; // sets of fewer rows are not worth a thr
 
 enum Side : unsigned char { left = 0, right = 1, eliminated = 2 };
 
-/// Points with x nx + y ny < at are on the left.
+/// Points whose coordinate is less than @p at are on the left.
 struct Cut {
-    double nx = 0, ny = 0, at = 0;
+    Eigen::Index axis = 0; ///< which coordinate
+    double at = 0;
     Side separator = left;  ///< vertices of this side that see the other are the separator
     double cost = HUGE_VAL; ///< size of the separator for each vertex of the smaller side
 };
-
-constexpr std::array<std::array<double, 2>, 2> kDirections{{{1, 0}, {0, 1}}};
 
 class Dissector {
 public:
     using Node = Dissection::Node;
 
-    Dissector(const SymmetricMatrix& A, const Points2& where)
+    Dissector(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where)
         : A_(A), where_(where), side_(where.rows(), left)
     {
         result_.order.resize(side_.size());
@@ -128,9 +127,9 @@ private:
     std::array<Index, 2> split(Index begin, Index end)
     {
         Cut best;
-        for (std::size_t i = 0; i < kDirections.size(); ++i) {
-            const Cut cut = try_cut(begin, end, kDirections[i]);
-            if (i == 0 || cut.cost < best.cost)
+        for (Eigen::Index axis = 0; axis < where_.cols(); ++axis) {
+            const Cut cut = try_cut(begin, end, axis);
+            if (axis == 0 || cut.cost < best.cost)
                 best = cut;
         }
         if (best.cost < HUGE_VAL)
@@ -140,13 +139,11 @@ private:
         return arrange(best.separator, begin, end);
     }
 
-    double along(const Cut& cut, Index v) const { return cut.nx * where_(v, 0) + cut.ny * where_(v, 1); }
-
     void apply(const Cut& cut, Index begin, Index end)
     {
         for (Index i = begin; i < end; ++i) {
             const Index v = row(i);
-            side_[static_cast<std::size_t>(v)] = along(cut, v) < cut.at ? left : right;
+            side_[static_cast<std::size_t>(v)] = where_(v, cut.axis) < cut.at ? left : right;
         }
     }
 
@@ -166,13 +163,13 @@ private:
         return false;
     }
 
-    Cut try_cut(Index begin, Index end, std::array<double, 2> direction)
+    Cut try_cut(Index begin, Index end, Eigen::Index axis)
     {
-        Cut cut{direction[0], direction[1]};
+        Cut cut{axis};
         const Index step = std::max(1, (end - begin) / kSamples);
         std::vector<double> samples;
         for (Index i = begin; i < end; i += step)
-            samples.push_back(along(cut, row(i)));
+            samples.push_back(where_(row(i), axis));
         const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
         std::nth_element(samples.begin(), middle, samples.end());
         cut.at = *middle;
@@ -209,14 +206,14 @@ private:
     Index row(Index position) const { return result_.order[static_cast<std::size_t>(position)]; }
 
     const SymmetricMatrix& A_;
-    const Points2& where_;
+    const Eigen::Ref<const Matrix>& where_;
     std::vector<Side> side_;
     Dissection result_;
 };
 
 } // namespace
 
-Dissection nested_dissection(const SymmetricMatrix& A, const Points2& where)
+Dissection nested_dissection(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where)
 {
     return Dissector(A, where).run();
 }
