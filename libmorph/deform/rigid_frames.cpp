@@ -201,8 +201,8 @@ BoundaryFrames expanded(const BoundaryFrames& joined, const std::vector<Index>& 
 
 } // namespace
 
-BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
-                               double reach)
+BoundaryFrames boundary_frames(const DomainView& domain, const DirichletBoundary& held,
+                               const Matrix& displacement, double reach)
 {
     if (!(reach >= 0 && reach <= 1))
         throw InputError("the reach of the boundary's rotation is " + std::to_string(reach) +
@@ -210,21 +210,21 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, 
     if (displacement.cols() != 2)
         throw InputError("the displacement of the boundary has " + std::to_string(displacement.cols()) +
                          " columns, expected x and y");
-    const UniqueDirichletVertices vertices(mesh, held);
+    const UniqueDirichletVertices vertices(domain, held);
     const std::vector<Index> row_of = vertices.rows();
-    FrameFit fit(points(mesh), vertices.vertices(), vertices.join(displacement),
-                 boundary_segments(mesh, held, vertices).moving, reach);
+    FrameFit fit(domain.positions(), vertices.vertices(), vertices.join(displacement),
+                 boundary_segments(domain, held, vertices).moving, reach);
     return expanded(fit.fit(), held.vertices, row_of);
 }
 
-Matrix extend_with_rotations(const BoundaryExtension& extension, const Mesh& mesh,
+Matrix extend_with_rotations(const BoundaryExtension& extension, const DomainView& domain,
                              const DirichletBoundary& held, const Matrix& displacement, double reach)
 {
-    const BoundaryFrames frames = boundary_frames(mesh, held, displacement, reach);
+    const BoundaryFrames frames = boundary_frames(domain, held, displacement, reach);
     const bool moves = frames.pivot.rows() > 0;
     const Eigen::RowVector2d centre = moves ? frames.pivot.colwise().mean() : Eigen::RowVector2d(0, 0);
-    Matrix moved = rebuilt(points(mesh), extension.extend(frame_values(frames, centre)), centre);
-    const UniqueDirichletVertices vertices(mesh, held);
+    Matrix moved = rebuilt(domain.positions(), extension.extend(frame_values(frames, centre)), centre);
+    const UniqueDirichletVertices vertices(domain, held);
     vertices.restore(vertices.join(displacement), moved);
     return moved;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 
 #include <vector>
@@ -41,8 +41,8 @@ inline constexpr double kFrameReach = 0.05;
 /// @throws InputError  another number of rows or columns, not finite, or different for two copies of a split
 ///                     vertex; a bad reach; a moving edge ends at a vertex that is not held; the mesh is a
 ///                     surface in space
-BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, const Matrix& displacement,
-                               double reach = kFrameReach);
+BoundaryFrames boundary_frames(const DomainView& domain, const DirichletBoundary& held,
+                               const Matrix& displacement, double reach = kFrameReach);
 
 /// Carry a boundary's displacement into the mesh together with its rotation.
 ///
@@ -59,10 +59,10 @@ BoundaryFrames boundary_frames(const Mesh& mesh, const DirichletBoundary& held, 
 ///
 /// Not linear: half the displacement does not give half the result.
 ///
-/// @param spread  made of @p mesh and @p held
+/// @param extension  made of @p domain and @p held
 /// @return n x 2, equal to @p displacement at the held vertices; the same bytes for any number of threads
 /// @throws InputError, SolverError  as boundary_frames() and BoundaryExtension::extend()
-Matrix extend_with_rotations(const BoundaryExtension& extension, const Mesh& mesh,
+Matrix extend_with_rotations(const BoundaryExtension& extension, const DomainView& domain,
                              const DirichletBoundary& held, const Matrix& displacement,
                              double reach = kFrameReach);
 

@@ -41,8 +41,7 @@ public:
     {
         parallel_for(rows_, block_, [&](std::size_t begin, std::size_t end) {
             const SymmetricMatrix part = diagonal_block(A, begin, end);
-            const auto places =
-                where.middleRows(static_cast<Index>(begin), static_cast<Index>(end - begin));
+            const auto places = where.middleRows(static_cast<Index>(begin), static_cast<Index>(end - begin));
             factors_[begin / block_] =
                 std::make_unique<SparseCholesky>(part, nested_dissection(part, places));
         });

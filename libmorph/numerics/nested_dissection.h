@@ -26,8 +26,8 @@ struct Dissection {
 /// [George 1973, SIAM Journal on Numerical Analysis 10(2), 345-363; by coordinates: Heath & Raghavan 1995,
 /// SIAM Journal on Matrix Analysis and Applications 16(1), 235-253].
 ///
-/// Each set is cut near its median across whichever of the axes gives the fewest vertices on the cut. Any points give a valid order; good ones are near their neighbours. The result depends on the
-/// arguments only.
+/// Each set is cut near its median across whichever of the axes gives the fewest vertices on the cut. Any
+/// points give a valid order; good ones are near their neighbours. The result depends on the arguments only.
 ///
 /// @param where  n x d, finite
 Dissection nested_dissection(const SymmetricMatrix& A, const Eigen::Ref<const Matrix>& where);

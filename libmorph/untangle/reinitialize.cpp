@@ -66,7 +66,8 @@ std::optional<Matrix> spread_move(const Mesh& mesh, const VertexStars& stars, co
     for (Index i = 0; i < move.rows(); ++i)
         move.row(i) = (positions.row(list[at(i)]) - reference.row(list[at(i)])).head<2>();
     try {
-        return DirichletLaplacian(reference.leftCols<2>(), weighted_edges(mesh, stars, reference), list).solve(move);
+        return DirichletLaplacian(reference.leftCols<2>(), weighted_edges(mesh, stars, reference), list)
+            .solve(move);
     } catch (const InputError&) {
         return std::nullopt;
     } catch (const SolverError&) {

@@ -46,7 +46,8 @@ public:
         : BoundaryExtension(mesh, boundary, components),
           triangulation_(walled_triangulation(mesh, boundary, held())), fans_(triangulation_),
           laplacian_(fan_laplacian(mesh, triangulation_, fans_, held().representatives())),
-          system_(points(mesh), bilaplacian(vertex_count(mesh), laplacian_), 1, held().vertices())
+          system_(points(mesh).leftCols<2>(), bilaplacian(vertex_count(mesh), laplacian_), 1,
+                  held().vertices())
     {
     }
 
@@ -116,7 +117,7 @@ std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const 
 }
 
 std::unique_ptr<BoundaryExtension> conformal_biharmonic_extension(const Mesh& mesh,
-                                                                 const DirichletBoundary& boundary)
+                                                                  const DirichletBoundary& boundary)
 {
     return std::make_unique<ConformalBiharmonicExtension>(mesh, boundary);
 }

@@ -37,8 +37,8 @@ inline constexpr auto kEnumNames<BiharmonicCondition> = std::to_array<EnumName<B
 /// turning or shifting the mesh changes the result by round-off only, which stretched layers of cells
 /// enlarge: the condition of the system is the square of that of harmonic functions.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
-///                      twice; a part of the mesh has no held vertex; an element is inverted
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex
+///                      there twice; a part of the mesh has no held vertex; an element is inverted
 /// @throws SolverError  the system is singular
 std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary);
 
@@ -54,6 +54,6 @@ std::unique_ptr<BoundaryExtension> biharmonic_extension(const Mesh& mesh, const 
 ///
 /// @throws InputError, SolverError  as biharmonic_extension()
 std::unique_ptr<BoundaryExtension> conformal_biharmonic_extension(const Mesh& mesh,
-                                                                 const DirichletBoundary& boundary);
+                                                                  const DirichletBoundary& boundary);
 
 } // namespace morph

@@ -110,7 +110,7 @@ void prescribe(const ClaimsByVertex& claims, BoundaryConditions& conditions)
         for (const auto& [boundary, basis] : claim.rows)
             for (int k = 0; k < basis.count; ++k)
                 conditions.values(row, conditions.first_column[boundary] +
-                                                basis.control[static_cast<std::size_t>(k)]) +=
+                                           basis.control[static_cast<std::size_t>(k)]) +=
                     share * basis.value[static_cast<std::size_t>(k)];
     }
 }

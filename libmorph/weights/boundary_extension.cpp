@@ -7,8 +7,9 @@
 
 namespace morph {
 
-BoundaryExtension::BoundaryExtension(const Mesh& mesh, const DirichletBoundary& boundary, int components)
-    : held_(mesh, boundary), components_(components)
+BoundaryExtension::BoundaryExtension(const DomainView& domain, const DirichletBoundary& boundary,
+                                     int components)
+    : held_(domain, boundary), components_(components)
 {
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/unique_dirichlet_vertices.h"
 
 namespace morph {
@@ -11,9 +11,8 @@ namespace morph {
 /// What depends on the mesh alone is computed once, when it is made; extend() can then be called as often as
 /// there are values. The weights of control points are the extension of their basis functions.
 ///
-/// A method derives from it and says in solve() what the values are inside. That the copies of a split vertex
-/// are one, that prescribed values are met exactly and that nothing comes out that is not finite is taken care
-/// of here.
+/// A method derives from it and computes in solve() what the values inside are. Joining the copies of split
+/// vertices before, meeting the prescribed values exactly and checking the result after is done here.
 class BoundaryExtension {
 public:
     BoundaryExtension(const BoundaryExtension&) = delete;
@@ -21,22 +20,22 @@ public:
     virtual ~BoundaryExtension() = default;
 
     /// 1: the columns of values do not influence each other, and there is one weight for each pair of mesh
-    /// vertex and prescribed vertex. Else the values are vectors of so many components that do: a body that is
-    /// pulled in x gets thinner in y, the cells next to a wall that turns move along with it. The weights are
-    /// then square blocks.
+    /// vertex and prescribed vertex. 2 or 3: the values are vectors whose components do: a body that is
+    /// pulled in x gets thinner in y, the cells next to a wall that turns move along with it. Such weights
+    /// are blocks.
     int components() const { return components_; }
 
-    /// @param values  k x c, row i belongs to DirichletBoundary::vertices[i]; c is components(), or any number
-    ///                where that is 1
+    /// @param values  k x c, row i belongs to DirichletBoundary::vertices[i]; c is components(), or any
+    ///                number where that is 1
     /// @return n x c, equal to @p values at the prescribed vertices; the same bytes for any number of threads
-    /// @throws InputError   @p values has another number of rows or columns, is not finite, or gives two copies
-    ///                      of a split vertex different values
+    /// @throws InputError   @p values has another number of rows or columns, is not finite, or gives two
+    ///                      copies of a split vertex different values
     /// @throws SolverError  the result is not finite
     Matrix extend(const Matrix& values) const;
 
 protected:
     /// @throws InputError  as UniqueDirichletVertices
-    BoundaryExtension(const Mesh& mesh, const DirichletBoundary& boundary, int components = 1);
+    BoundaryExtension(const DomainView& domain, const DirichletBoundary& boundary, int components = 1);
 
     const UniqueDirichletVertices& held() const { return held_; }
 

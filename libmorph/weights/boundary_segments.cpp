@@ -1,7 +1,6 @@
 #include "libmorph/weights/boundary_segments.h"
 
 #include "libmorph/core/error.h"
-#include "libmorph/mesh/boundary_loops.h"
 
 #include <algorithm>
 #include <set>
@@ -20,12 +19,12 @@ BoundarySegment sorted(BoundarySegment edge)
 
 } // namespace
 
-Points held_points(const Mesh& mesh, const UniqueDirichletVertices& vertices)
+Points held_points(const DomainView& domain, const UniqueDirichletVertices& vertices)
 {
-    return points(mesh)(vertices.vertices(), Eigen::all);
+    return domain.positions()(vertices.vertices(), Eigen::all);
 }
 
-BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& boundary,
+BoundarySegments boundary_segments(const DomainView& domain, const DirichletBoundary& boundary,
                                    const UniqueDirichletVertices& vertices)
 {
     const std::vector<Index> row_of = vertices.rows();
@@ -40,11 +39,10 @@ BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& bo
         known.insert(sorted(edges.moving.back()));
         for (const Index v : edge)
             if (row_of[static_cast<std::size_t>(v)] < 0)
-                throw InputError("vertex " +
-                                 std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]) +
+                throw InputError("vertex " + std::to_string(domain.file_vertex(v)) +
                                  " is the end of a moving edge, but it is not held");
     }
-    std::vector<std::array<Index, 2>> others = boundary_edges(mesh);
+    std::vector<std::array<Index, 2>> others = domain.boundary_facets();
     others.insert(others.end(), boundary.fixed_edges.begin(), boundary.fixed_edges.end());
     for (const auto& edge : others)
         if (const BoundarySegment e = rows(edge); e[0] >= 0 && e[1] >= 0 && known.insert(sorted(e)).second)
@@ -64,14 +62,14 @@ NearestOnSegments::NearestOnSegments(Points points, std::vector<BoundarySegment>
 {
 }
 
-EdgePoint NearestOnSegments::nearest(double x, double y, Index hint) const
+EdgePoint NearestOnSegments::nearest(const Eigen::Vector3d& point, Index hint) const
 {
-    const SegmentTree::Nearest found = tree_.nearest(x, y, hint);
+    const SegmentTree::Nearest found = tree_.nearest(point, hint);
     const BoundarySegment& edge = edges_[static_cast<std::size_t>(found.segment)];
-    const Eigen::RowVector2d a = points_.row(edge[0]).head<2>();
-    const Eigen::RowVector2d along = points_.row(edge[1]).head<2>() - a;
+    const Eigen::Vector3d a = points_.row(edge[0]).transpose();
+    const Eigen::Vector3d along = points_.row(edge[1]).transpose() - a;
     const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? along.dot(Eigen::RowVector2d(x, y) - a) / length2 : 0;
+    const double t = length2 > 0 ? along.dot(point - a) / length2 : 0;
     return {edge, std::clamp(t, 0.0, 1.0), found.distance, found.segment};
 }
 

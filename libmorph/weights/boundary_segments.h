@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/geometry/segment_tree.h"
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/unique_dirichlet_vertices.h"
 
@@ -11,7 +11,7 @@
 namespace morph {
 
 /// Where the held vertices are: h x 3, in the order of UniqueDirichletVertices::vertices().
-Points held_points(const Mesh& mesh, const UniqueDirichletVertices& vertices);
+Points held_points(const DomainView& domain, const UniqueDirichletVertices& vertices);
 
 /// An edge between two held vertices: rows of UniqueDirichletVertices::vertices().
 using BoundarySegment = std::array<Index, 2>;
@@ -19,11 +19,11 @@ using BoundarySegment = std::array<Index, 2>;
 /// The edges along which held values are known. A held vertex without an edge is one from itself to itself.
 struct BoundarySegments {
     std::vector<BoundarySegment> moving; ///< DirichletBoundary::moving_edges
-    std::vector<BoundarySegment> still;  ///< the rest of the mesh's boundary and of the walls
+    std::vector<BoundarySegment> still;  ///< the rest of the boundary and of the walls
 };
 
 /// @throws InputError  a moving edge ends at a vertex that is not held
-BoundarySegments boundary_segments(const Mesh& mesh, const DirichletBoundary& boundary,
+BoundarySegments boundary_segments(const DomainView& domain, const DirichletBoundary& boundary,
                                    const UniqueDirichletVertices& vertices);
 
 /// The point on held edges nearest to a point: the values there are those of the ends a and b at 1 - t and t.
@@ -48,7 +48,7 @@ public:
     NearestOnSegments(Points points, std::vector<BoundarySegment> edges);
 
     /// @param hint  EdgePoint::segment of a point nearby: it only saves time
-    EdgePoint nearest(double x, double y, Index hint = 0) const;
+    EdgePoint nearest(const Eigen::Vector3d& point, Index hint = 0) const;
 
 private:
     Points points_;

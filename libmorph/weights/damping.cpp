@@ -21,24 +21,24 @@ std::optional<NearestOnSegments> nearest_on(const Points& points, const std::vec
 
 class DampingExtension final : public BoundaryExtension {
 public:
-    DampingExtension(const Mesh& mesh, const DirichletBoundary& boundary)
-        : BoundaryExtension(mesh, boundary)
+    DampingExtension(const DomainView& domain, const DirichletBoundary& boundary)
+        : BoundaryExtension(domain, boundary)
     {
         if (held().vertices().empty())
             throw InputError("no vertex is held: there is nothing to damp");
-        const BoundarySegments edges = boundary_segments(mesh, boundary, held());
-        const Points at_rest = held_points(mesh, held());
+        const BoundarySegments edges = boundary_segments(domain, boundary, held());
+        const Points at_rest = held_points(domain, held());
         const auto moving = nearest_on(at_rest, edges.moving), still = nearest_on(at_rest, edges.still);
-        const auto x = points(mesh);
+        const auto x = domain.positions();
         sources_.resize(static_cast<std::size_t>(x.rows()));
         parallel_for(sources_.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
             Source at;
             for (std::size_t v = begin; v < end; ++v) {
-                const auto row = x.row(static_cast<Index>(v));
+                const Eigen::Vector3d point = x.row(static_cast<Index>(v)).transpose();
                 if (moving)
-                    at.moving = moving->nearest(row[0], row[1], at.moving.segment);
+                    at.moving = moving->nearest(point, at.moving.segment);
                 if (still)
-                    at.still = still->nearest(row[0], row[1], at.still.segment);
+                    at.still = still->nearest(point, at.still.segment);
                 at.share = !moving ? 0 : !still ? 1 : share(at.moving.distance, at.still.distance);
                 sources_[v] = at;
             }
@@ -78,9 +78,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& boundary)
+std::unique_ptr<BoundaryExtension> damping_extension(const DomainView& domain,
+                                                     const DirichletBoundary& boundary)
 {
-    return std::make_unique<DampingExtension>(mesh, boundary);
+    return std::make_unique<DampingExtension>(domain, boundary);
 }
 
 } // namespace morph

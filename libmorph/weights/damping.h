@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 
@@ -22,7 +22,9 @@ namespace morph {
 /// of the moving boundary are equally near, as inside a dent or between two bodies, v jumps if their
 /// values differ.
 ///
-/// @throws InputError  as UniqueDirichletVertices; nothing is held; a moving edge ends at a vertex that is not held
-std::unique_ptr<BoundaryExtension> damping_extension(const Mesh& mesh, const DirichletBoundary& boundary);
+/// @throws InputError  as UniqueDirichletVertices; nothing is held; a moving edge ends at a vertex that is
+///                     not held
+std::unique_ptr<BoundaryExtension> damping_extension(const DomainView& domain,
+                                                     const DirichletBoundary& boundary);
 
 } // namespace morph

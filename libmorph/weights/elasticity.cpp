@@ -62,8 +62,9 @@ CornerMatrix corner_matrix(const ElementPoints& element)
 
 class Solid {
 public:
-    Solid(const Mesh& mesh, const DirichletBoundary& boundary, const Elasticity& elasticity)
-        : mesh_(mesh), D_(stress_matrix(elasticity.poisson_ratio)), modulus_(moduli(boundary, elasticity.modulus))
+    Solid(const DomainView& domain, const DirichletBoundary& boundary, const Elasticity& elasticity)
+        : domain_(domain), D_(stress_matrix(elasticity.poisson_ratio)),
+          modulus_(moduli(boundary, elasticity.modulus))
     {
     }
 
@@ -99,13 +100,13 @@ private:
 
     std::vector<double> moduli(const DirichletBoundary& boundary, YoungsModulus modulus) const
     {
-        const std::vector<Element> elements = element_table(mesh_);
+        const std::vector<Element> elements = domain_.elements();
         std::vector<double> result(elements.size(), 1.0);
         if (modulus == YoungsModulus::inverse_area)
             for (std::size_t e = 0; e < elements.size(); ++e)
                 result[e] = 1 / area_of(elements[e]);
         if (modulus == YoungsModulus::inverse_distance)
-            divide_by_distance(elements, SegmentTree(points(mesh_), boundary.moving_edges), result);
+            divide_by_distance(elements, SegmentTree(domain_.positions(), boundary.moving_edges), result);
         return result;
     }
 
@@ -138,28 +139,26 @@ private:
 
     Eigen::Vector2d corner(const Element& element, int i) const
     {
-        return points(mesh_).row(element[static_cast<std::size_t>(i)]).head<2>();
+        return domain_.positions().row(element[static_cast<std::size_t>(i)]).head<2>();
     }
 
-    Index file_number(Index element) const
-    {
-        return mesh_.numbering.element[static_cast<std::size_t>(element)];
-    }
+    Index file_number(Index element) const { return domain_.file_element(element); }
 
-    const Mesh& mesh_;
+    DomainView domain_;
     Eigen::Matrix3d D_;
     std::vector<double> modulus_;
 };
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
-                                                    const Elasticity& elasticity)
+std::unique_ptr<BoundaryExtension>
+elastic_extension(const DomainView& domain, const DirichletBoundary& boundary, const Elasticity& elasticity)
 {
     require_valid(elasticity);
-    const Solid solid(mesh, boundary, elasticity);
+    const Solid solid(domain, boundary, elasticity);
     return std::make_unique<EnergyExtension>(
-        mesh, boundary, [&](const ElementPoints& element, ElementMatrix& Q) { solid.add_energy(element, Q); });
+        domain, boundary,
+        [&](const ElementPoints& element, ElementMatrix& Q) { solid.add_energy(element, Q); });
 }
 
 } // namespace morph

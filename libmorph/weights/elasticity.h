@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libmorph/core/names.h"
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 
@@ -39,11 +39,11 @@ struct Elasticity {
 /// mesh changes the result by round-off only. Copies of a split vertex are one unknown; a vertex of no
 /// element stays.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
-///                      twice; a part of the mesh has fewer than two held vertices; Poisson's ratio is out of
-///                      range; inverse_distance without moving edges; an element is inverted
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex
+///                      there twice; a part of the mesh has fewer than two held vertices; Poisson's ratio is
+///                      out of range; inverse_distance without moving edges; an element is inverted
 /// @throws SolverError  the system is singular
-std::unique_ptr<BoundaryExtension> elastic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
-                                                    const Elasticity& elasticity);
+std::unique_ptr<BoundaryExtension>
+elastic_extension(const DomainView& domain, const DirichletBoundary& boundary, const Elasticity& elasticity);
 
 } // namespace morph

@@ -17,12 +17,12 @@ VertexLists element_patches(const std::vector<Element>& elements, const std::vec
     return patches;
 }
 
-SymmetricMatrix stiffness(const Mesh& mesh, const UniqueDirichletVertices& held,
+SymmetricMatrix stiffness(const DomainView& domain, const UniqueDirichletVertices& held,
                           const EnergyExtension::Energy& energy)
 {
-    const VertexLists patches = element_patches(element_table(mesh), held.representatives());
-    const auto x = points(mesh);
-    return assemble(vertex_count(mesh), 2, patches, [&](std::size_t e, ElementMatrix& matrix) {
+    const VertexLists patches = element_patches(domain.elements(), held.representatives());
+    const auto x = domain.positions();
+    return assemble(domain.vertex_count(), 2, patches, [&](std::size_t e, ElementMatrix& matrix) {
         ElementPoints element{static_cast<Index>(e), static_cast<int>(patches.size(e))};
         for (std::size_t i = 0; i < patches.size(e); ++i)
             element.at[i] = x.row(patches.begin(e)[i]).head<2>();
@@ -32,9 +32,10 @@ SymmetricMatrix stiffness(const Mesh& mesh, const UniqueDirichletVertices& held,
 
 } // namespace
 
-EnergyExtension::EnergyExtension(const Mesh& mesh, const DirichletBoundary& boundary, const Energy& energy)
-    : BoundaryExtension(mesh, boundary, 2),
-      system_(points(mesh), stiffness(mesh, held(), energy), 2, held().vertices())
+EnergyExtension::EnergyExtension(const DomainView& domain, const DirichletBoundary& boundary,
+                                 const Energy& energy)
+    : BoundaryExtension(domain, boundary, 2),
+      system_(domain.coordinates(), stiffness(domain, held(), energy), 2, held().vertices())
 {
 }
 

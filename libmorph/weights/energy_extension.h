@@ -1,6 +1,5 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
 #include "libmorph/numerics/assembly.h"
 #include "libmorph/numerics/dirichlet_system.h"
 #include "libmorph/weights/boundary_extension.h"
@@ -37,7 +36,7 @@ public:
 
     /// @throws InputError   as UniqueDirichletVertices and DirichletSystem, and what @p energy throws
     /// @throws SolverError  the system is singular
-    EnergyExtension(const Mesh& mesh, const DirichletBoundary& boundary, const Energy& energy);
+    EnergyExtension(const DomainView& domain, const DirichletBoundary& boundary, const Energy& energy);
 
 private:
     Matrix solve(const Matrix& joined) const override { return system_.solve(joined); }

@@ -56,8 +56,7 @@ std::vector<double> distances(const Mesh& mesh, const std::vector<std::array<Ind
     parallel_for(distance.size(), kRowsPerBlock, [&](std::size_t begin, std::size_t end) {
         SegmentTree::Nearest nearest; // neighbours in the numbering are neighbours in the plane
         for (std::size_t v = begin; v < end; ++v) {
-            const auto at = points(mesh).row(static_cast<Index>(v));
-            nearest = tree.nearest(at[0], at[1], nearest.segment);
+            nearest = tree.nearest(points(mesh).row(static_cast<Index>(v)).transpose(), nearest.segment);
             distance[v] = nearest.distance;
         }
     });
@@ -107,14 +106,13 @@ DirichletLaplacian dirichlet_problem(const Mesh& mesh, const DirichletBoundary& 
 {
     std::vector<WeightedEdge> edges = weighted_edges(mesh, boundary, vertices, diffusivity);
     join_copies(vertices.representatives(), edges);
-    return {points(mesh), edges, vertices.vertices()};
+    return {points(mesh).leftCols<2>(), edges, vertices.vertices()};
 }
 
 class HarmonicExtension final : public BoundaryExtension {
 public:
     HarmonicExtension(const Mesh& mesh, const DirichletBoundary& boundary, Diffusivity diffusivity)
-        : BoundaryExtension(mesh, boundary),
-          problem_(dirichlet_problem(mesh, boundary, held(), diffusivity))
+        : BoundaryExtension(mesh, boundary), problem_(dirichlet_problem(mesh, boundary, held(), diffusivity))
     {
     }
 

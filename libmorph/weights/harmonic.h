@@ -39,8 +39,9 @@ inline constexpr auto kEnumNames<Diffusivity> = std::to_array<EnumName<Diffusivi
 ///
 /// The system is factored here; extend() solves. Later changes to @p mesh do not matter.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
-///                      twice; a part of the mesh has no held vertex; inverse_distance without moving edges
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex
+///                      there twice; a part of the mesh has no held vertex; inverse_distance without moving
+///                      edges
 /// @throws SolverError  the system is singular
 std::unique_ptr<BoundaryExtension> harmonic_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                       Diffusivity diffusivity);

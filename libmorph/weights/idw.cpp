@@ -31,7 +31,7 @@ void require(bool good, const std::string& what, double value, const std::string
 }
 
 /// The options with the reach that is meant.
-IdwOptions checked(const Mesh& mesh, IdwOptions options)
+IdwOptions checked(const DomainView& domain, IdwOptions options)
 {
     const double a = options.far_exponent, b = options.near_exponent;
     require(a > 0 && a <= kLargestExponent, "far exponent", a, "positive and at most 10");
@@ -41,18 +41,18 @@ IdwOptions checked(const Mesh& mesh, IdwOptions options)
     require(options.reach >= 0 && std::isfinite(options.reach), "reach", options.reach,
             "positive, or 0 for the default");
     if (options.reach == 0)
-        options.reach = default_reach(mesh);
+        options.reach = default_reach(domain);
     require(options.reach > 0, "reach", options.reach, "positive: the mesh has no extent");
     return options;
 }
 
 /// Half the length of the edges at each held vertex; a vertex without an edge has the mean of the others.
-Eigen::ArrayXd edge_shares(const Mesh& mesh, const DirichletBoundary& boundary,
+Eigen::ArrayXd edge_shares(const DomainView& domain, const DirichletBoundary& boundary,
                            const UniqueDirichletVertices& vertices)
 {
-    const Points x = held_points(mesh, vertices);
+    const Points x = held_points(domain, vertices);
     Eigen::ArrayXd share = Eigen::ArrayXd::Zero(x.rows());
-    const BoundarySegments edges = boundary_segments(mesh, boundary, vertices);
+    const BoundarySegments edges = boundary_segments(domain, boundary, vertices);
     for (const auto& list : {edges.moving, edges.still})
         for (const auto& [a, b] : list) {
             const double half = 0.5 * (x.row(b) - x.row(a)).head<2>().norm();
@@ -78,9 +78,10 @@ Eigen::ArrayXd raised(const Eigen::ArrayXd& s, double exponent)
 
 class IdwExtension final : public BoundaryExtension {
 public:
-    IdwExtension(const Mesh& mesh, const DirichletBoundary& boundary, const IdwOptions& options)
-        : BoundaryExtension(mesh, boundary), positions_(points(mesh)), options_(checked(mesh, options)),
-          boundary_(held_points(mesh, held())), share_(edge_shares(mesh, boundary, held()))
+    IdwExtension(const DomainView& domain, const DirichletBoundary& boundary, const IdwOptions& options)
+        : BoundaryExtension(domain, boundary), positions_(domain.positions()),
+          options_(checked(domain, options)), boundary_(held_points(domain, held())),
+          share_(edge_shares(domain, boundary, held()))
     {
         if (boundary_.rows() == 0)
             throw InputError("no vertex is held: there is nothing to weigh by inverse distance");
@@ -126,19 +127,19 @@ private:
 
 } // namespace
 
-double default_reach(const Mesh& mesh)
+double default_reach(const DomainView& domain)
 {
-    const auto x = points(mesh).leftCols<2>();
+    const auto x = domain.positions().leftCols<2>();
     if (x.rows() == 0)
         return 0;
     const Eigen::RowVector2d mean = x.colwise().mean();
     return (x.rowwise() - mean).rowwise().norm().maxCoeff();
 }
 
-std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& boundary,
+std::unique_ptr<BoundaryExtension> idw_extension(const DomainView& domain, const DirichletBoundary& boundary,
                                                  const IdwOptions& options)
 {
-    return std::make_unique<IdwExtension>(mesh, boundary, options);
+    return std::make_unique<IdwExtension>(domain, boundary, options);
 }
 
 } // namespace morph

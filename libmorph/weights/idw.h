@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 
@@ -18,7 +18,7 @@ struct IdwOptions {
 };
 
 /// L_def of IdwOptions unless it is given: the largest distance of a vertex of the mesh from their mean.
-double default_reach(const Mesh& mesh);
+double default_reach(const DomainView& domain);
 
 /// Inverse distance weighting of the whole boundary [Luke, Collins and Blades 2012, Journal of Computational
 /// Physics 231, 586-601]: the mean of all held values with the weights
@@ -32,9 +32,9 @@ double default_reach(const Mesh& mesh);
 /// Each vertex sums over the whole boundary: n k terms, in blocks on every core, so that twice as fine a mesh
 /// in the plane takes 8 times as long. Memory beyond the result does not grow with n.
 ///
-/// @throws InputError  as UniqueDirichletVertices; nothing is held; an exponent, reach or stiffness that is not positive
-///                     (stiffness may be 0), or b below a
-std::unique_ptr<BoundaryExtension> idw_extension(const Mesh& mesh, const DirichletBoundary& boundary,
+/// @throws InputError  as UniqueDirichletVertices; nothing is held; an exponent, reach or stiffness that is
+///                     not positive (stiffness may be 0), or b below a
+std::unique_ptr<BoundaryExtension> idw_extension(const DomainView& domain, const DirichletBoundary& boundary,
                                                  const IdwOptions& options = {});
 
 } // namespace morph

@@ -18,14 +18,14 @@ namespace {
 constexpr std::size_t kRowsPerBlock = 4096; // vertices a thread takes at a time
 
 /// Rows of UniqueDirichletVertices::vertices() that are centres.
-std::vector<Index> centre_rows(const Mesh& mesh, const UniqueDirichletVertices& vertices,
+std::vector<Index> centre_rows(const DomainView& domain, const UniqueDirichletVertices& vertices,
                                const std::vector<Index>& centres)
 {
     std::vector<Index> rows(centres.empty() ? vertices.vertices().size() : 0);
     std::iota(rows.begin(), rows.end(), 0);
     const std::vector<Index> row_of = vertices.rows();
     for (const Index v : centres) {
-        if (v < 0 || v >= vertex_count(mesh) || row_of[static_cast<std::size_t>(v)] < 0)
+        if (v < 0 || v >= domain.vertex_count() || row_of[static_cast<std::size_t>(v)] < 0)
             throw InputError("vertex " + std::to_string(v) +
                              " is a centre of radial functions, but it is not held");
         rows.push_back(row_of[static_cast<std::size_t>(v)]);
@@ -49,16 +49,16 @@ std::vector<Index> pick(const std::vector<Index>& list, const std::vector<Index>
 /// Takes away the error that is left on the boundary, near it.
 class BoundaryCorrection {
 public:
-    BoundaryCorrection(const Mesh& mesh, const DirichletBoundary& boundary,
+    BoundaryCorrection(const DomainView& domain, const DirichletBoundary& boundary,
                        const UniqueDirichletVertices& vertices, const Points& centres)
     {
-        const Points positions = held_points(mesh, vertices);
+        const Points positions = held_points(domain, vertices);
         Matrix reach(positions.rows(), 1);
         NearestPoints(centres).nearest(
             positions, 2, [&reach](Index row, auto found) { reach(row, 0) = 2 * found.back().distance; });
-        BoundarySegments edges = boundary_segments(mesh, boundary, vertices);
+        BoundarySegments edges = boundary_segments(domain, boundary, vertices);
         edges.moving.insert(edges.moving.end(), edges.still.begin(), edges.still.end());
-        find_near(points(mesh), NearestOnSegments(positions, edges.moving), reach);
+        find_near(domain.positions(), NearestOnSegments(positions, edges.moving), reach);
     }
 
     /// @param error   h x c
@@ -85,7 +85,7 @@ private:
                      [&](std::size_t begin, std::size_t end) {
                          EdgePoint at;
                          for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-                             at = edges.nearest(x(v, 0), x(v, 1), at.segment);
+                             at = edges.nearest(x.row(v).transpose(), at.segment);
                              const double q = at.distance / at.value(reach)[0], rest = (1 - q) * (1 - q);
                              if (q < 1)
                                  near_[begin / kRowsPerBlock].push_back({v, rest * rest * (4 * q + 1), at});
@@ -98,13 +98,13 @@ private:
 
 class RbfExtension final : public BoundaryExtension {
 public:
-    RbfExtension(const Mesh& mesh, const DirichletBoundary& boundary, const RbfOptions& options,
-              const std::vector<Index>& centres)
-        : BoundaryExtension(mesh, boundary), positions_(points(mesh)),
-          rows_(centre_rows(mesh, held(), centres)),
-          interpolant_(radial_interpolant(mesh, pick(held().vertices(), rows_), options,
-                                          support_radius(mesh, boundary, options))),
-          correction_(mesh, boundary, held(), positions_(pick(held().vertices(), rows_), Eigen::all))
+    RbfExtension(const DomainView& domain, const DirichletBoundary& boundary, const RbfOptions& options,
+                 const std::vector<Index>& centres)
+        : BoundaryExtension(domain, boundary), positions_(domain.positions()),
+          rows_(centre_rows(domain, held(), centres)),
+          interpolant_(radial_interpolant(domain, pick(held().vertices(), rows_), options,
+                                          support_radius(domain, boundary, options))),
+          correction_(domain, boundary, held(), positions_(pick(held().vertices(), rows_), Eigen::all))
     {
     }
 
@@ -125,10 +125,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& boundary,
+std::unique_ptr<BoundaryExtension> rbf_extension(const DomainView& domain, const DirichletBoundary& boundary,
                                                  const RbfOptions& options, const std::vector<Index>& centres)
 {
-    return std::make_unique<RbfExtension>(mesh, boundary, options, centres);
+    return std::make_unique<RbfExtension>(domain, boundary, options, centres);
 }
 
 } // namespace morph

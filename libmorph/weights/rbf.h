@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/radial.h"
@@ -23,7 +23,7 @@ struct RbfOptions {
 /// The farther the functions reach, the farther out a move is spread and the fewer elements it inverts, but
 /// the worse conditioned the system is, by (reach / spacing)^3 for Wendland's C2. With this one airfoils in
 /// tests/data turn by 120 degrees in one step without an inverted element; with half of it they do not.
-double default_support(const Mesh& mesh, const DirichletBoundary& boundary);
+double default_support(const DomainView& domain, const DirichletBoundary& boundary);
 inline constexpr double kSupportFactor = 10;
 
 /// Radial basis functions with their centres at held vertices [de Boer, van der Schoot and Bijl 2007,
@@ -40,12 +40,13 @@ inline constexpr double kSupportFactor = 10;
 /// that. So the result is exact on the boundary, smooth, and linear in the values.
 ///
 /// @param centres  vertices, each a held one; empty: all of them
-/// @throws InputError   as UniqueDirichletVertices; a centre is not held or given twice, two lie at the same place, or
-///                      there are more than kMostCentres; with linear terms all on a line; thin_plate without
-///                      linear terms; a support radius that is negative or not finite; a mesh without extent
+/// @throws InputError   as UniqueDirichletVertices; a centre is not held or given twice, two lie at the same
+///                      place, or there are more than kMostCentres; with linear terms all on a line;
+///                      thin_plate without linear terms; a support radius that is negative or not finite; a
+///                      mesh without extent
 /// @throws SolverError  the system is singular even with a multiple of the identity added; extend() throws it
 ///                      when a smooth function that reaches over many centres misses values that jump
-std::unique_ptr<BoundaryExtension> rbf_extension(const Mesh& mesh, const DirichletBoundary& boundary,
+std::unique_ptr<BoundaryExtension> rbf_extension(const DomainView& domain, const DirichletBoundary& boundary,
                                                  const RbfOptions& options = {},
                                                  const std::vector<Index>& centres = {});
 inline constexpr Index kMostCentres = 6000; // 288 MB, twice while it is factored

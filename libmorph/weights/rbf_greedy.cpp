@@ -28,9 +28,9 @@ void require_valid(const GreedyOptions& greedy)
 /// Chooses among the rows of the held vertices.
 class GreedyChoice {
 public:
-    GreedyChoice(const Mesh& mesh, const UniqueDirichletVertices& held, Matrix values)
-        : mesh_(mesh), vertices_(held.vertices()), values_(std::move(values)),
-          positions_(held_points(mesh, held)), along_(vertices_.size()), chosen_(vertices_.size())
+    GreedyChoice(const DomainView& domain, const UniqueDirichletVertices& held, Matrix values)
+        : domain_(domain), vertices_(held.vertices()), values_(std::move(values)),
+          positions_(held_points(domain, held)), along_(vertices_.size()), chosen_(vertices_.size())
     {
         // Vertices are numbered along a space-filling curve: neighbours in this order are neighbours in the
         // plane.
@@ -54,7 +54,7 @@ public:
     /// Norm of what the centres chosen so far miss at each held vertex; 0 at the centres.
     Eigen::VectorXd errors(const RbfOptions& options, double support) const
     {
-        const RadialInterpolant interpolant = radial_interpolant(mesh_, centres(), options, support);
+        const RadialInterpolant interpolant = radial_interpolant(domain_, centres(), options, support);
         std::vector<Index> rows;
         for (const Index row : along_)
             if (chosen_[static_cast<std::size_t>(row)])
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    const Mesh& mesh_;
+    DomainView domain_;
     std::vector<Index> vertices_;
     Matrix values_;
     Points positions_;
@@ -118,18 +118,19 @@ private:
 
 } // namespace
 
-std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& boundary, const Matrix& values,
-                                  const RbfOptions& options, const GreedyOptions& greedy)
+std::vector<Index> greedy_centres(const DomainView& domain, const DirichletBoundary& boundary,
+                                  const Matrix& values, const RbfOptions& options,
+                                  const GreedyOptions& greedy)
 {
     require_valid(greedy);
-    const double support = support_radius(mesh, boundary, options);
-    const UniqueDirichletVertices vertices(mesh, boundary);
+    const double support = support_radius(domain, boundary, options);
+    const UniqueDirichletVertices vertices(domain, boundary);
     const Matrix joined = vertices.join(values);
     if (joined.rows() == 0)
         throw InputError("no vertex is held: radial functions have no centres");
     const double allowed = greedy.tolerance * joined.rowwise().norm().maxCoeff();
     const auto most = static_cast<std::size_t>(greedy.most_centres);
-    GreedyChoice choice(mesh, vertices, joined);
+    GreedyChoice choice(domain, vertices, joined);
     for (;;) {
         const Eigen::VectorXd errors = choice.errors(options, support);
         if (errors.maxCoeff() <= allowed)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/boundary_extension.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 #include "libmorph/weights/rbf.h"
@@ -24,9 +24,11 @@ struct GreedyOptions {
 ///
 /// @param values  k x c, in the order of held.vertices
 /// @return vertices, ascending
-/// @throws InputError   as rbf_extension() and UniqueDirichletVertices::join(); a tolerance that is not positive
+/// @throws InputError   as rbf_extension() and UniqueDirichletVertices::join(); a tolerance that is not
+///                      positive
 /// @throws SolverError  as rbf_extension(); most_centres are not enough
-std::vector<Index> greedy_centres(const Mesh& mesh, const DirichletBoundary& boundary, const Matrix& values,
-                                  const RbfOptions& options = {}, const GreedyOptions& greedy = {});
+std::vector<Index> greedy_centres(const DomainView& domain, const DirichletBoundary& boundary,
+                                  const Matrix& values, const RbfOptions& options = {},
+                                  const GreedyOptions& greedy = {});
 
 } // namespace morph

@@ -16,11 +16,6 @@ double diagonal(const Eigen::Ref<const Points>& x)
     return x.rows() == 0 ? 0 : (x.colwise().maxCoeff() - x.colwise().minCoeff()).head<2>().norm();
 }
 
-std::string file_number(const Mesh& mesh, Index v)
-{
-    return std::to_string(mesh.numbering.vertex[static_cast<std::size_t>(v)]);
-}
-
 std::string number_text(double x)
 {
     std::ostringstream text;
@@ -28,9 +23,9 @@ std::string number_text(double x)
     return text.str();
 }
 
-void require_distinct_places(const Mesh& mesh, const std::vector<Index>& vertices)
+void require_distinct_places(const DomainView& domain, const std::vector<Index>& vertices)
 {
-    const auto x = points(mesh);
+    const auto x = domain.positions();
     std::vector<Index> by_place = vertices;
     const auto before = [&x](Index a, Index b) {
         return x(a, 0) != x(b, 0) ? x(a, 0) < x(b, 0) : x(a, 1) < x(b, 1);
@@ -39,41 +34,42 @@ void require_distinct_places(const Mesh& mesh, const std::vector<Index>& vertice
     const auto same =
         std::adjacent_find(by_place.begin(), by_place.end(), [&](Index a, Index b) { return !before(a, b); });
     if (same != by_place.end())
-        throw InputError("vertices " + file_number(mesh, same[0]) + " and " + file_number(mesh, same[1]) +
-                         " are held at the same place, (" + number_text(x(*same, 0)) + ", " +
-                         number_text(x(*same, 1)) + "): radial functions cannot tell them apart");
+        throw InputError("vertices " + std::to_string(domain.file_vertex(same[0])) + " and " +
+                         std::to_string(domain.file_vertex(same[1])) + " are held at the same place, (" +
+                         number_text(x(*same, 0)) + ", " + number_text(x(*same, 1)) +
+                         "): radial functions cannot tell them apart");
 }
 
 } // namespace
 
-double default_support(const Mesh& mesh, const DirichletBoundary& boundary)
+double default_support(const DomainView& domain, const DirichletBoundary& boundary)
 {
     std::vector<Index> moving;
     for (const auto& edge : boundary.moving_edges)
         moving.insert(moving.end(), edge.begin(), edge.end());
-    const double whole = diagonal(points(mesh));
-    const double body = diagonal(points(mesh)(moving, Eigen::all));
+    const double whole = diagonal(domain.positions());
+    const double body = diagonal(domain.positions()(moving, Eigen::all));
     return body > 0 ? std::min(kSupportFactor * body, whole) : whole;
 }
 
-double support_radius(const Mesh& mesh, const DirichletBoundary& boundary, const RbfOptions& options)
+double support_radius(const DomainView& domain, const DirichletBoundary& boundary, const RbfOptions& options)
 {
     if (!(options.support >= 0 && std::isfinite(options.support)))
         throw InputError("the support radius of the radial functions is " + number_text(options.support) +
                          ", but it must be positive, or 0 for the default");
     if (options.function == RadialFunction::thin_plate && !options.linear)
         throw InputError("thin plate splines need linear terms; switch them on or take a Wendland function");
-    const double support = options.support > 0 ? options.support : default_support(mesh, boundary);
+    const double support = options.support > 0 ? options.support : default_support(domain, boundary);
     if (!(support > 0))
         throw InputError("the mesh has no extent: radial functions need a support radius");
     return support;
 }
 
-RadialInterpolant radial_interpolant(const Mesh& mesh, const std::vector<Index>& vertices,
+RadialInterpolant radial_interpolant(const DomainView& domain, const std::vector<Index>& vertices,
                                      const RbfOptions& options, double support)
 {
-    require_distinct_places(mesh, vertices);
-    return {points(mesh)(vertices, Eigen::all), options.function, support, options.linear};
+    require_distinct_places(domain, vertices);
+    return {domain.positions()(vertices, Eigen::all), options.function, support, options.linear};
 }
 
 } // namespace morph

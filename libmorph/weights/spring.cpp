@@ -43,7 +43,8 @@ class SpringExtension final : public BoundaryExtension {
 public:
     SpringExtension(const Mesh& mesh, const DirichletBoundary& boundary, SpringStiffness stiffness)
         : BoundaryExtension(mesh, boundary),
-          problem_(points(mesh), springs(mesh, held().representatives(), stiffness), held().vertices())
+          problem_(points(mesh).leftCols<2>(), springs(mesh, held().representatives(), stiffness),
+                   held().vertices())
     {
     }
 
@@ -129,8 +130,9 @@ std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const Diri
     return std::make_unique<SpringExtension>(mesh, boundary, stiffness);
 }
 
-std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
-                                                          SpringStiffness stiffness, SpringBracing bracing)
+std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh,
+                                                           const DirichletBoundary& boundary,
+                                                           SpringStiffness stiffness, SpringBracing bracing)
 {
     if (bracing == SpringBracing::none)
         throw InputError("braced springs need a bracing, torsion or ball-vertex");

@@ -47,8 +47,8 @@ struct SpringOptions {
 /// Every column keeps the bounds of its held values. Copies of a split vertex are one unknown; a vertex of no
 /// element gets 0. Scaling, turning or shifting the mesh changes the result by round-off only.
 ///
-/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex there
-///                      twice; a part of the mesh has no held vertex; an edge has no length
+/// @throws InputError   the mesh is a surface in space; an index in @p boundary is out of range or a vertex
+///                      there twice; a part of the mesh has no held vertex; an edge has no length
 /// @throws SolverError  the system is singular
 std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
                                                     SpringStiffness stiffness);
@@ -67,10 +67,11 @@ std::unique_ptr<BoundaryExtension> spring_extension(const Mesh& mesh, const Diri
 /// Translations, and turns of everything to first order in the angle, are reproduced: no spring changes.
 /// Copies of a split vertex are one unknown; a vertex of no element stays.
 ///
-/// @throws InputError   as spring_extension(); a part of the mesh has fewer than two held vertices; a corner of
-///                      an element has no angle, three of its points being on a line; no bracing
+/// @throws InputError   as spring_extension(); a part of the mesh has fewer than two held vertices; a corner
+///                      of an element has no angle, three of its points being on a line; no bracing
 /// @throws SolverError  the system is singular
-std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh, const DirichletBoundary& boundary,
-                                                          SpringStiffness stiffness, SpringBracing bracing);
+std::unique_ptr<BoundaryExtension> braced_spring_extension(const Mesh& mesh,
+                                                           const DirichletBoundary& boundary,
+                                                           SpringStiffness stiffness, SpringBracing bracing);
 
 } // namespace morph

@@ -8,11 +8,11 @@ namespace morph {
 
 namespace {
 
-void require_valid(const Mesh& mesh, const DirichletBoundary& boundary)
+void require_valid(const DomainView& domain, const DirichletBoundary& boundary)
 {
-    if (mesh.dimension != 2)
+    if (domain.dimension() != 2)
         throw InputError("boundary values are carried into planar meshes, but this is a surface in space");
-    const Index n = vertex_count(mesh);
+    const Index n = domain.vertex_count();
     const auto require_vertex = [n](Index v, const char* what) {
         if (v < 0 || v >= n)
             throw InputError(std::string(what) + " names vertex " + std::to_string(v) +
@@ -32,14 +32,14 @@ void require_valid(const Mesh& mesh, const DirichletBoundary& boundary)
 
 } // namespace
 
-UniqueDirichletVertices::UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& boundary)
+UniqueDirichletVertices::UniqueDirichletVertices(const DomainView& domain, const DirichletBoundary& boundary)
 {
-    require_valid(mesh, boundary);
-    representative_ = morph::representatives(mesh.numbering);
+    require_valid(domain, boundary);
+    representative_ = domain.representatives();
     std::vector<Index> row_of(representative_.size(), -1);
     std::vector<bool> seen(representative_.size());
     for (const Index v : boundary.vertices) {
-        const Index file_number = mesh.numbering.vertex[static_cast<std::size_t>(v)];
+        const Index file_number = domain.file_vertex(v);
         if (seen[static_cast<std::size_t>(v)])
             throw InputError("vertex " + std::to_string(file_number) + " is held twice");
         seen[static_cast<std::size_t>(v)] = true;

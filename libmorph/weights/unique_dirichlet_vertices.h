@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libmorph/mesh/mesh.h"
+#include "libmorph/mesh/domain_view.h"
 #include "libmorph/weights/dirichlet_boundary.h"
 
 #include <vector>
@@ -11,9 +11,9 @@ namespace morph {
 /// begins and ends with.
 class UniqueDirichletVertices {
 public:
-    /// @throws InputError  the mesh is a surface in space; @p boundary names a vertex the mesh does not have, or
-    ///                     one twice
-    UniqueDirichletVertices(const Mesh& mesh, const DirichletBoundary& boundary);
+    /// @throws InputError  the mesh is a surface in space; @p boundary names a vertex the mesh does not have,
+    ///                     or one twice
+    UniqueDirichletVertices(const DomainView& domain, const DirichletBoundary& boundary);
 
     /// For each vertex the first copy of it: itself, unless it is split.
     const std::vector<Index>& representatives() const { return representative_; }

@@ -6,8 +6,8 @@
 
 namespace morph {
 
-/// The constrained Delaunay triangulation of the mesh's vertices, quads cut in two. Walls are constraints: the
-/// moving and the fixed edges with prescribed values at both ends.
+/// The constrained Delaunay triangulation of the mesh's vertices, quads cut in two. Walls are constraints:
+/// the moving and the fixed edges with prescribed values at both ends.
 Triangulation walled_triangulation(const Mesh& mesh, const DirichletBoundary& boundary,
                                    const UniqueDirichletVertices& vertices);
 

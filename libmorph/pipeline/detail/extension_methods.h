@@ -7,8 +7,8 @@
 
 namespace morph {
 
-/// The extension that the settings choose. A new method is one more value of Method, and one more line here and
-/// in couples_directions().
+/// The extension that the settings choose. A new method is one more value of Method, and one more line here
+/// and in couples_directions().
 /// @param values  k x c: what will be extended, for methods that choose by it
 /// @throws InputError, SolverError  as the extension; Method::ffd extends nothing
 std::unique_ptr<BoundaryExtension> make_extension(const Mesh& mesh, const DirichletBoundary& boundary,

@@ -119,8 +119,8 @@ PreparedMotion prepare_motion(const Mesh& mesh, const MotionSettings& settings, 
         motion.weights = boundary_weights(mesh, conditions);
     } else {
         motion.weights = given ? on_boundary(std::move(*given), mesh, conditions)
-                               : extended_weights(conditions, *make_extension(mesh, conditions.boundary, deform,
-                                                                              conditions.values));
+                               : extended_weights(conditions, *make_extension(mesh, conditions.boundary,
+                                                                              deform, conditions.values));
     }
     return motion;
 }

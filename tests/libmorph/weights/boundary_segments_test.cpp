@@ -63,7 +63,7 @@ TEST(NearestOnSegments, FindsTheNearestPointAndTheValueThere)
     Matrix values(4, 1);
     values << 10, 20, 40, 7;
     const auto expect = [&](double x, double y, double distance, double value) {
-        const EdgePoint point = edges.nearest(x, y);
+        const EdgePoint point = edges.nearest({x, y, 0});
         EXPECT_NEAR(point.distance, distance, 1e-15);
         EXPECT_NEAR(point.value(values)[0], value, 1e-14);
     };

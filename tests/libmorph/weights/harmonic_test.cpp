@@ -180,8 +180,7 @@ TEST_P(HarmonicWeightsFor, OneFactorisationServesFurtherRightHandSides)
 {
     const Mesh mesh = build_mesh(uneven_annulus(kInner, kOuter, 40));
     const BoundaryValues problem = prescribe_boundary(mesh, "inner", partition);
-    const auto extension =
-        harmonic_extension(mesh, problem.boundary, GetParam());
+    const auto extension = harmonic_extension(mesh, problem.boundary, GetParam());
     for (const double factor : {1.0, 3.0}) {
         BoundaryValues scaled = problem;
         scaled.values = factor * problem.values.rightCols(2);
