@@ -18,6 +18,7 @@ struct FieldFile {
 ///
 /// Rows of a table belong to the vertices by PointID if it has that column, else in order. Columns x and y
 /// may be missing from it.
+/// @param path    of the file with the fields
 /// @param mesh    in the numbering of its file
 /// @param format  name of the format; empty: by the extension
 /// @throws InputError  the file is for another number of vertices or elements (names both counts), or for

@@ -10,7 +10,10 @@
 namespace morph {
 
 /// Read a mesh file into flat arrays.
-/// @param format  name of the format; empty: by the extension
+/// @param path     of the file; its extension names the format
+/// @param format   name of the format; empty: by the extension
+/// @param options  zone and what else can be chosen
+/// @param notes    gets what the reader left out; may be null
 /// @throws InputError  "path:line: what is wrong"
 MeshData read_mesh_data(const std::string& path, const std::string& format = "",
                         const ReadOptions& options = {}, ReadNotes* notes = nullptr);

@@ -29,12 +29,14 @@ CaseFile read_case_file(const std::string& path);
 CaseFile parse_case_file(std::string_view bytes, const std::string& path);
 
 /// The mesh of a case, read or generated.
+/// @param file  from read_case_file()
 /// @param from  format of the file, when its extension does not say
 /// @throws InputError, SolverError  as read_mesh() and generate_mesh()
 Mesh case_mesh(const CaseFile& file, const std::string& from = "");
 
 /// Make the FFD box that the case names the lattice of its motion; nothing changes without such a name, or where
 /// the motion uses no lattice.
+/// @param file  from read_case_file(); its motion gets the lattice
 /// @param mesh  read from the SU2 file of the case
 /// @throws InputError  the file has no such box; a displacement beyond it
 void take_su2_box(CaseFile& file, const Mesh& mesh);

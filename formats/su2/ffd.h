@@ -23,7 +23,8 @@ struct Su2FfdBox {
 ///
 /// A file that was set up but never run through SU2_DEF has corner points only; the control points are then
 /// those of the box between them.
-/// @param path  for messages
+/// @param carried  sections of an SU2 mesh, Mesh::sections
+/// @param path     for messages
 /// @throws InputError  a box without tag, degrees or points, or with a number of them that does not go with
 /// its
 ///                     degrees; names the box

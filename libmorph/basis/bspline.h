@@ -24,12 +24,17 @@ std::vector<double> uniform_knots(int degree, Index control_points, bool closed)
 std::vector<double> extended_knots(int degree, bool closed, const std::vector<double>& knots);
 
 /// The span s, not empty, with knot s <= u < knot s + 1; the last one at the end of the curve.
-/// @param knots  as from extended_knots(); @p u within the curve
+/// @param knots   as from extended_knots(); @p u within the curve
+/// @param degree  p
+/// @param u       parameter, clamped to the range of the knots
 int find_span(const std::vector<double>& knots, int degree, double u);
 
 /// N_{span-degree}(u) ... N_{span}(u) by the recursion of Cox and de Boor
 /// [Piegl & Tiller, The NURBS Book, algorithm A2.2].
-/// @param knots  as from extended_knots(); a lower @p degree than theirs is allowed
+/// @param knots   as from extended_knots(); a lower @p degree than theirs is allowed
+/// @param span    from find_span()
+/// @param degree  p
+/// @param u       parameter inside the span
 SpanValues basis_functions(const std::vector<double>& knots, int span, int degree, double u);
 
 } // namespace morph

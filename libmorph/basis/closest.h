@@ -28,6 +28,7 @@ CurveParameter closest_parameter(const Curve& curve, const Eigen::Vector2d& poin
 /// A node that coincides with a corner of the curve, or with an end of an open one, to 1e-12 of the
 /// curve's size gets its exact parameter.
 ///
+/// @param curve   near the nodes
 /// @param nodes   m x 2, in order along the marker, in either direction
 /// @param closed  the last node is followed by the first; an open sequence may lie on a closed curve
 /// @return m parameters with their distances

@@ -23,9 +23,10 @@ struct CurveFit {
 /// Nodes where a polygon has a corner rather than a resolved bend.
 ///
 /// The turn at the node exceeds the mean turn (in the same sense) of its two neighbours by more than
+/// @param nodes   m x 2, in order, no two consecutive ones coincide
+/// @param closed  the last node is followed by the first
+/// @param angle   degrees
 /// @p angle. A strongly curved leading edge turns at several nodes in a row; a trailing edge at one.
-/// @param nodes  m x 2, in order, no two consecutive ones coincide
-/// @param angle  degrees
 /// @return rows, increasing; the ends of an open polygon are none
 std::vector<Index> find_corners(const Points2& nodes, bool closed, double angle);
 
@@ -38,8 +39,9 @@ std::vector<Index> find_corners(const Points2& nodes, bool closed, double angle)
 /// fit [de Boor 1978, A Practical Guide to Splines, XII, NEWKNOT], each span holding a node. The best
 /// of the rounds, by the largest distance, is returned.
 ///
-/// @param nodes   m x 2, in order along the marker
-/// @param closed  the last node is followed by the first
+/// @param nodes     m x 2, in order along the marker
+/// @param closed    the last node is followed by the first
+/// @param settings  degree, number of control points, corners
 /// @throws InputError  degree not in 1 ... 7; control points fewer than the degree and the corners need or
 /// more
 ///                     than nodes; a node that is not finite or coincides with the one before it; a

@@ -102,13 +102,17 @@ private:
 ///
 /// The control points lie at the Greville abscissae, so that without weights S is affine: (0, 0, 0) goes to
 /// @p low and (1, 1, 1) to @p high.
+/// @param low    corner of least coordinates
+/// @param high   opposite corner
 /// @param shape  everything but the control points
 /// @throws InputError  as the constructor; a box without volume (in the plane: without area)
 Lattice lattice_in_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, LatticeDefinition shape);
 
 /// The same in a box turned or sheared at will.
-/// @param axes  columns: the sides of the box from @p origin along i, j, k; in the plane the third is not
+/// @param origin  corner of the box
+/// @param axes    columns: the sides of the box from @p origin along i, j, k; in the plane the third is not
 /// used
+/// @param shape   its control points are replaced
 Lattice lattice_on_axes(const Eigen::Vector3d& origin, const Eigen::Matrix3d& axes, LatticeDefinition shape);
 
 } // namespace morph

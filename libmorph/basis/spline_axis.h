@@ -47,11 +47,12 @@ public:
     /// The functions of a span at @p u and, with @p slopes, their derivatives, by the recursion of Cox and de
     /// Boor [Piegl & Tiller, The NURBS Book, 2.2 and 2.3].
     ///
+    /// @param span         from find_span()
+    /// @param u            also outside the span, where its polynomials go on
+    /// @param values       degree + 1 numbers
+    /// @param derivatives  degree + 1 numbers; not touched without @p slopes
     /// @tparam fixed_degree  degree(), where the caller knows it when it is compiled: several times faster
     /// @tparam Number        double, or a Pack of them
-    /// @param u              also outside the span, where its polynomials go on
-    /// @param values         degree + 1 numbers
-    /// @param derivatives    degree + 1 numbers; not touched without @p slopes
     template <int fixed_degree = kAnyDegree, bool slopes = false, typename Number = double>
     [[gnu::always_inline]] void evaluate(int span, const Number& u, Number* values,
                                          Number* derivatives = nullptr) const

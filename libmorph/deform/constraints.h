@@ -110,7 +110,8 @@ struct ConstrainedMove {
 /// The search is local and starts from the wanted displacements: moves much larger than the shape can end
 /// elsewhere than nearest, or get stuck.
 ///
-/// @param wanted  K x c, length unit of the mesh
+/// @param constraints  what the displacements must keep
+/// @param wanted       K x c, length unit of the mesh
 /// @throws InputError   the sizes do not fit, a number is not finite, something does not exist; or linear
 ///                      constraints contradict each other: names the two most involved
 /// @throws SolverError  the constraints cannot be met together: names the two most involved, as far as the

@@ -23,6 +23,7 @@ struct ControlledPoints {
 /// Points of a mesh and how they follow its control points.
 /// @param weights    n x K
 /// @param positions  n x 3, before any displacement
+/// @param points     m combinations of vertices
 /// @throws InputError  the sizes do not fit, or a point names a vertex that the mesh does not have
 ControlledPoints controlled_points(WeightsView weights, const Eigen::Ref<const Points>& positions,
                                    const std::vector<MeshPoint>& points);
@@ -32,6 +33,7 @@ ControlledPoints controlled_vertices(WeightsView weights, const Eigen::Ref<const
                                      const std::vector<Index>& vertices);
 
 /// Where displacements take the points.
+/// @param points         m points and their weights
 /// @param displacements  K x 2 (x and y move) or K x 3
 /// @return m x 3
 Points moved(const ControlledPoints& points, const Matrix& displacements);

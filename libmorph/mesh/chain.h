@@ -17,6 +17,7 @@ struct Chain {
 /// A closed chain starts at the first vertex of its first edge in file order; an open one at an end.
 /// Chains come in the order of their first edges. A chain passes through a split vertex by one of its copies.
 ///
+/// @param marker     its edges in any order
 /// @param numbering  file numbers for the messages
 /// @throws InputError  the marker has no edges, lists one twice, or branches at a vertex (three or more
 ///                     edges meet)

@@ -93,7 +93,8 @@ bool uses_rotations(const DeformSettings& deform);
 /// method in which x and y influence each other.
 bool needs_nonlinear_motion(const DeformSettings& deform);
 
-/// @param source      of weights that are to be used instead of solving for them, for the message
+/// @param deform  how the mesh is to move
+/// @param source  of weights that are to be used instead of solving for them, for the message
 /// @throws InputError  needs_nonlinear_motion()
 void require_weights_usable(const DeformSettings& deform, const std::string& source);
 

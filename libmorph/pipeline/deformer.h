@@ -23,10 +23,11 @@ namespace morph {
 /// Equal bytes for any number of threads. Const functions may be called from several threads at once.
 class Deformer {
 public:
-    /// @param mesh     undeformed, n vertices; it is kept by reference: it must outlive the deformer and stay as
-    ///                 it is
-    /// @param weights  n x K, rows as the vertices of @p mesh, to be used instead of solving for them; the rows
-    ///                 of boundary nodes are set so that these land on their curves
+    /// @param mesh      undeformed, n vertices; it is kept by reference: it must outlive the deformer and stay as
+    ///                  it is
+    /// @param settings  what moves and how
+    /// @param weights   n x K, rows as the vertices of @p mesh, to be used instead of solving for them; the rows
+    ///                  of boundary nodes are set so that these land on their curves
     /// @throws InputError   names the entry that cannot be, or that does not go with the mesh
     /// @throws SolverError  as the method
     Deformer(const Mesh& mesh, MotionSettings settings, std::optional<Weights> weights = std::nullopt);

@@ -22,7 +22,8 @@ struct PlacedLattice {
 
 /// Build the lattice of a move and find every vertex in it.
 ///
-/// @param settings     with a lattice
+/// @param mesh      undeformed, n vertices
+/// @param settings  with a lattice
 /// @throws InputError  names [lattice]: a lattice that cannot be, one in the plane for a surface or the other
 ///                     way round, no vertex inside, displacements of another number
 PlacedLattice place_lattice(const Mesh& mesh, const MotionSettings& settings);

@@ -71,7 +71,8 @@ struct MoveResult {
 };
 
 /// The moved mesh in the numbering of its file, for a writer.
-/// @param mesh  before the move
+/// @param mesh    before the move
+/// @param result  of Deformer::move() on that mesh
 MeshData to_mesh_data(const Mesh& mesh, const MoveResult& result);
 
 /// Whether the moved mesh can be used, as far as the guard looked: no inverted element, no boundary across

@@ -31,11 +31,15 @@ struct BoundaryFit {
 PlacedBoundaries parametrize_boundaries(const Mesh& mesh, const MotionSettings& settings);
 
 /// The curve of boundary @p b with its control points displaced.
+/// @param placed         the curves on their markers
+/// @param b              number of the boundary
 /// @param displacements  K x 2, rows as placed.conditions.columns
 Curve moved_curve(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements);
 
+/// @param placed         the curves on their markers
+/// @param b              number of the boundary
 /// @param displacements  K x 2, rows as placed.conditions.columns
-/// @param before, after  n x 3 positions of the mesh's vertices
+/// @param before,        after  n x 3 positions of the mesh's vertices
 BoundaryFit boundary_fit(const PlacedBoundaries& placed, std::size_t b, const Matrix& displacements,
                          const PositionsView& before, const PositionsView& after);
 
@@ -45,6 +49,7 @@ std::vector<std::string> placement_warnings(const PlacedBoundaries& placed);
 
 /// Where moved boundaries cross themselves or each other, one sentence each. No valid mesh exists then:
 /// its elements may all be positive and still lie on top of each other.
+/// @param placed         the curves on their markers
 /// @param displacements  K x 2, rows as placed.conditions.columns
 std::vector<std::string> boundary_crossings(const PlacedBoundaries& placed, const Matrix& displacements);
 

@@ -31,6 +31,7 @@ struct FullQuality {
 };
 
 /// Quality of all of a mesh where it is, with the places of its worst elements.
+/// @param mesh       where it is now
 /// @param reference  positions before the move (n x 3), or null: adds f_ss and the changes next to walls
 /// @throws InputError  reference has a wrong number of rows
 FullQuality full_quality(const Mesh& mesh, const PositionsView* reference = nullptr);

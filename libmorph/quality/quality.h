@@ -74,6 +74,8 @@ QualityReport quality_report(const Mesh& mesh, const PositionsView& positions,
                              const PositionsView& reference);
 
 /// The metrics of every element (m entries, in the numbering of the mesh).
+/// @param mesh       m elements
+/// @param positions  n x 3, where the vertices are
 /// @param reference  positions f_ss is against, or null
 /// @throws InputError  positions or reference has a wrong number of rows
 std::vector<ElementQuality> element_quality(const Mesh& mesh, const PositionsView& positions,

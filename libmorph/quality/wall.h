@@ -65,6 +65,8 @@ struct WallQuality {
 };
 
 /// The elements beside each marker that has edges, in the order of the markers.
+/// @param mesh       with markers
+/// @param positions  n x 3, where the vertices are
 /// @param reference  positions before the move (n x 3), or null
 /// @throws InputError  positions or reference has a wrong number of rows
 std::vector<WallQuality> wall_quality(const Mesh& mesh, const PositionsView& positions,

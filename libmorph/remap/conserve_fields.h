@@ -30,6 +30,8 @@ struct ConservedFields {
     Conservation summary;
 };
 
+/// @param source  planar mesh of the fields
+/// @param target  planar mesh that gets them
 /// @param fields  all nodal, or all of elements
 /// @throws InputError  a surface in space, a target without elements, no area in common
 /// @throws SolverError  see conserve_nodes()

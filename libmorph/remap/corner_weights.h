@@ -26,7 +26,9 @@ std::array<double, 3> barycentric(PlanePoint a, PlanePoint b, PlanePoint c, Plan
 /// Triangle: barycentric coordinates. Quad: as @p rule says; one that is not convex is always its two
 /// triangles along the inner diagonal, because its bilinear map folds.
 ///
-/// @param p  in the element or on its sides
+/// @param element  with 3 or 4 corners
+/// @param p        in the element or on its sides
+/// @param rule     how quads are interpolated
 std::array<double, 4> corner_weights(const PlaneElement& element, PlanePoint p, QuadRule rule);
 
 /// The same for an element in space, seen along the coordinate axis nearest to its normal.
@@ -34,6 +36,7 @@ std::array<double, 4> corner_weights(const PlaneElement& element, PlanePoint p, 
 /// @param corner   the fourth of a triangle is not looked at
 /// @param corners  3 or 4
 /// @param p        on the element, to rounding
+/// @param rule     how quads are interpolated
 std::array<double, 4> corner_weights(const std::array<Eigen::Vector3d, 4>& corner, int corners,
                                      const Eigen::Vector3d& p, QuadRule rule);
 

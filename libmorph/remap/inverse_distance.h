@@ -24,6 +24,7 @@ struct InverseDistance {
 /// @param positions  n x 3, finite
 /// @param known      rows whose values are given, at least one
 /// @param unknown    rows to fill, none of them known
+/// @param settings   number of neighbours and power
 /// @param values     matrices of n rows each, any number of columns
 /// @throws InputError  no known point; neighbors, power or a row out of range; a matrix without n rows; see
 ///                     NearestPoints

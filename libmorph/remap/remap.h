@@ -46,6 +46,7 @@ struct RemapSettings {
 class Remapper {
 public:
     /// @param source,target  outlive the remapper and are not moved while it lives
+    /// @param settings       what happens outside, and what is conserved
     /// @throws InputError  the source has no element; a planar source and a target in space
     Remapper(const Locator& source, const Mesh& target, const RemapSettings& settings = {});
 

@@ -22,6 +22,7 @@ struct TargetLocations {
 /// belongs to the closest point of the surface; it is outside when that point lies on the rim of an open
 /// surface, farther than 1e-9 of the surface's size away. O(log m) for each target of a surface and each
 /// target outside.
+/// @param source   finds elements of the source mesh
 /// @param targets  n x 3; z = 0 for a planar source
 /// @throws InputError  see Locator::locate(); the source has no element
 TargetLocations locate_targets(const Locator& source, Points targets);
@@ -36,6 +37,7 @@ struct TargetCounts {
 };
 
 /// Count the targets outside and find the farthest of them; of equally far ones that with the lowest number.
+/// @param locations     from locate_targets()
 /// @param file_numbers  n: of the targets
 TargetCounts count_targets(const TargetLocations& locations, const std::vector<Index>& file_numbers);
 

@@ -14,6 +14,7 @@ namespace morph {
 /// size, never a valid mesh.
 class BackgroundMesh {
 public:
+    /// @param table   triangles of the input
     /// @param planar  points are found by which triangle holds them, else by which is closest
     BackgroundMesh(const CornerTable& table, bool planar) : table_(table), planar_(planar) {}
 
@@ -22,7 +23,8 @@ public:
         Eigen::Vector3d point; ///< on the triangle, the point asked for or the closest
         double size = 0;       ///< target edge length there
     };
-    /// @param near  triangle to start from
+    /// @param point  in space or, planar, with z = 0
+    /// @param near   triangle to start from
     Place find(const Eigen::Vector3d& point, Index near) const;
 
     /// In the plane: where to go on when a walk is long or ends at a border. Meshes made from far apart

@@ -42,6 +42,7 @@ public:
 
     CornerTable() = default;
     /// A vertex where several open fans of triangles meet gets a copy for each further one.
+    /// @param vertices   n
     /// @param triangles  of a mesh with consistent orientation, no edge in three of them
     CornerTable(std::vector<TableVertex> vertices, const std::vector<std::array<Index, 3>>& triangles);
 

@@ -9,6 +9,7 @@ namespace morph {
 
 /// The triangles of a mesh that are not kept, in its numbering. Sides of kept elements are tagged kKeptTag,
 /// vertices of such elements fixed.
+/// @param mesh  with m elements
 /// @param kept  m: the element stays as it is; quads are always kept
 CornerTable corner_table_of(const Mesh& mesh, const std::vector<bool>& kept);
 
@@ -28,7 +29,11 @@ struct RemeshResult {
 
 /// The mesh after remeshing: kept elements, new triangles, markers in their order. Listed as the input lists
 /// its elements, markers as the input lists theirs.
+/// @param state   after remeshing
 /// @param before  corner_table_of() the mesh with its features found: markers are known on it
+/// @param mesh    the input
+/// @param kept    m: elements that stayed
+/// @param rule    how vertices and elements are numbered
 RemeshResult mesh_of(const RemeshState& state, const CornerTable& before, const Mesh& mesh,
                      const std::vector<bool>& kept, NumberingRule rule);
 

@@ -22,6 +22,8 @@ public:
     enum class Shape { straight, smooth };
 
     /// @param nodes   at least 2, consecutive ones distinct; closed: the first is not repeated
+    /// @param closed  the last node is followed by the first
+    /// @param shape   polygon or smooth curve
     FeatureCurve(const std::vector<Eigen::Vector3d>& nodes, bool closed, Shape shape);
 
     /// The part of a planar curve from begin to end, begin < end; on a closed curve they may lie in the next

@@ -29,6 +29,8 @@ struct FeatureSettings {
 /// fixed.
 ///
 /// @param state     its corner table has sides of kept elements tagged already, and their vertices fixed
+/// @param mesh      the input
+/// @param settings  angles that make a feature
 /// @throws InputError  as node_parameters(); a curve whose marker is not in the mesh
 void find_features(RemeshState& state, const Mesh& mesh, const FeatureSettings& settings);
 

@@ -30,9 +30,10 @@ struct RemeshSettings {
 /// Fresh: the start is the constrained Delaunay triangulation of the vertices of features, see
 /// retriangulate(); of the input's inside only the sizes count.
 ///
-/// @param mesh   planar with no inverted triangle, or a surface
-/// @param sizes  n: target edge length at each vertex, between them linear; positive, but for vertices of no
-///               element, which are left out; limit_by_curves() lowers them
+/// @param mesh      planar with no inverted triangle, or a surface
+/// @param sizes     n: target edge length at each vertex, between them linear; positive, but for vertices of no
+///                  element, which are left out; limit_by_curves() lowers them
+/// @param settings  what stays, and how long to work
 /// @throws InputError  a size that is not positive or not finite (names the vertex); an inverted triangle
 ///                     that is
 ///                     not kept; sizes or kept of the wrong number; fresh: as retriangulate()

@@ -35,6 +35,10 @@ double relative_length(const CornerTable& table, Index a, Index b);
 
 /// A triangle may be there: in the plane its area is positive (exact), on a surface its normal is within 60
 /// degrees of that of the surface.
+/// @param state   of the mesh being changed
+/// @param a       first corner of the new triangle
+/// @param b       second corner
+/// @param c       third corner
 /// @param normal  surface_normal() of the triangle it replaces
 bool may_replace(const RemeshState& state, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                  const Eigen::Vector3d& c, const Eigen::Vector3d& normal);

@@ -26,6 +26,8 @@ struct SizeSettings {
 Index target_vertices(const Mesh& mesh, const SizeSettings& settings);
 
 /// The target edge length at each vertex: n values, length unit of the mesh.
+/// @param mesh      n vertices
+/// @param settings  where the sizes come from
 /// @param features  whose curvature counts for SizeSettings::curvature
 /// @param where     in front of messages about the fields of the mesh, as in "wing.vtu: "
 /// @throws InputError  no such field (names the nearest), other than one value a vertex in size_field, a size

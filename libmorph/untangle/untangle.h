@@ -39,6 +39,7 @@ struct UntangleResult {
 /// @param reference  n x 3: before the move; the shape that elements aim for
 /// @param held       vertices that must not move, in any order
 /// @param positions  n x 3, z = 0: after the move; the rows of held vertices stay as they are
+/// @param options    limits of the search
 /// @throws InputError  the mesh is a surface in space, a number of rows is wrong, a held vertex is out of
 ///                     range, a position is not finite, an option out of bounds
 UntangleResult untangle(const Mesh& mesh, const PositionsView& reference, const std::vector<Index>& held,

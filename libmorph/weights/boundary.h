@@ -63,7 +63,9 @@ struct BoundaryConditions {
 /// alike; one that a fixed marker holds as well stays fixed. Boundary vertices in no marker are held.
 /// The copies of a split vertex are one vertex here, and one of them stands for it in the result.
 ///
-/// @param fixed  markers held still; other markers without a curve are left free
+/// @param mesh        undeformed, planar
+/// @param boundaries  markers that follow a curve, see parametrize_marker()
+/// @param fixed       markers held still; other markers without a curve are left free
 /// @throws InputError  a fixed marker does not exist or is one of the boundaries
 BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
                                        const std::vector<std::string>& fixed);
@@ -79,13 +81,17 @@ std::vector<std::string> other_markers(const Mesh& mesh, const std::vector<std::
 ///
 /// Methods whose components influence each other have none; they extend the displacements of the boundary,
 /// conditions.values times those of the control points.
-/// @param extension  of conditions.boundary
+/// @param conditions  K columns and the boundary they are given on
+/// @param extension   of conditions.boundary
 /// @throws InputError   the extension has more than one component; as BoundaryExtension::extend()
 /// @throws SolverError  the result is not finite
 Weights extended_weights(const BoundaryConditions& conditions, const BoundaryExtension& extension);
 
 /// Check that ends which share a vertex stay together.
 ///
+/// @param mesh           for the numbers in messages
+/// @param boundaries     as given to boundary_conditions()
+/// @param conditions     from boundary_conditions()
 /// @param displacements  K x 2, in the order of conditions.columns
 /// @throws InputError  names the vertex, the boundaries and the control points that part
 void require_ends_together(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,

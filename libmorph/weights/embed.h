@@ -23,6 +23,7 @@ struct Embedding {
 /// as close to the boundary count as inside. Where the lattice is folded a point gets one of its parameters,
 /// or none. Points with a coordinate that is not finite are outside. Equal bytes for any thread count.
 ///
+/// @param tree    of the lattice
 /// @param points  n x 3, length unit of the mesh; in the plane z does not count
 Embedding embed(const LatticeTree& tree, const Eigen::Ref<const Points>& points);
 

@@ -39,7 +39,10 @@ inline constexpr double kSupportFactor = 10;
 /// centre, the length on which the error changes along the boundary, so that it fades inwards no steeper than
 /// that. So the result is exact on the boundary, smooth, and linear in the values.
 ///
-/// @param centres  vertices, each a held one; empty: all of them
+/// @param domain    n vertices
+/// @param boundary  k vertices whose values are prescribed
+/// @param options   radial function, support, linear terms
+/// @param centres   vertices, each a held one; empty: all of them
 /// @throws InputError   as UniqueDirichletVertices; a centre is not held or given twice, two lie at the same
 ///                      place, or there are more than kMostCentres; with linear terms all on a line;
 ///                      thin_plate without linear terms; a support radius that is negative or not finite; a

@@ -6,12 +6,14 @@
 
 namespace morph {
 
-/// Weights as nodal fields, one per control point, named h_<boundary>_<i> with i from 1, so that any
+/// Weights as nodal fields, one per control point, named h_BOUNDARY_i with i from 1, so that any
 /// viewer shows them and any mesh file carries them.
+/// @param weights  n x K
 std::vector<Field> weight_fields(const Weights& weights);
 
 /// The same for weights of which only those that are not zero are stored, and others.
 /// @param columns  K, of the columns of @p weights
+/// @param weights  n x K
 std::vector<Field> weight_fields(const std::vector<ControlPoint>& columns, WeightsView weights);
 
 /// The inverse of weight_fields().
