@@ -10,25 +10,25 @@
 
 namespace morph {
 
-/// What is wanted of a file that holds more than one mesh of triangles and quads.
+/// What to read of a file that holds more than one mesh of triangles and quads.
 struct ReadOptions {
     bool surface = false; ///< of a volume mesh: its boundary faces
     std::string zone; ///< number (from 1) or name of the zone to take; empty: all, each a group of elements
 };
 
-/// What a reader has to say beside the mesh.
+/// What a reader reports in addition to the mesh.
 struct ReadNotes {
     std::string version;               ///< of the file: "4.1, binary"
     std::vector<std::string> warnings; ///< what was left out of the mesh, by name, one line each
 };
 
-/// What a file is called, what is in it and what is wanted of it. Readers work on the bytes; @p path is for
-/// messages and for the files beside it.
+/// What a file is called, what is in it and what to read of it. Readers work on the bytes; @p path is for
+/// messages and for the files next to it.
 struct InputBytes {
     std::string path;
     std::string_view bytes;
     ReadOptions options = {};
-    ReadNotes* notes = nullptr; ///< where to say what there is to say; null: nobody listens
+    ReadNotes* notes = nullptr; ///< gets what the reader reports; may be null
 
     void warn(const std::string& what) const
     {
@@ -49,7 +49,7 @@ struct FormatCapabilities {
     bool groups = false; ///< named sets of elements
     bool vertex_fields = false;
     bool element_fields = false;
-    bool elements = true; ///< false: points only, which nobody takes for a mesh
+    bool elements = true; ///< false: points only, never taken for a mesh
     bool quads = true;    ///< false: writers split them into triangles and say so
     bool ascii = true;    ///< written as text
     bool binary = false;  ///< written as numbers

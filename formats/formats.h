@@ -25,7 +25,7 @@ Mesh read_mesh(const std::string& path, const std::string& format = "");
 /// build_mesh() whose errors have the path in front, for data that was read from there.
 Mesh build_mesh_of(MeshData data, const std::string& path);
 
-/// Write a mesh beside @p path and rename it there once complete, so that a failure leaves nothing.
+/// Write a mesh to a temporary file next to @p path and rename it once complete, so that a failure leaves nothing.
 /// @return one warning for each kind of thing the format cannot hold
 /// @throws InputError  the file cannot be written
 std::vector<std::string> write_mesh(const Mesh& mesh, const std::string& path, const std::string& format = "",

@@ -7,7 +7,7 @@
 
 namespace morph {
 
-/// A file that appears whole or not at all: bytes go to a temporary beside it, commit() renames.
+/// A file that appears whole or not at all: bytes go to a temporary next to it, commit() renames.
 /// A temporary that was not committed is removed.
 class OutputFile {
 public:

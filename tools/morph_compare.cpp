@@ -71,7 +71,7 @@ ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
     for (const CompareMethod& method : methods)
         try {
             move.rows.push_back(compare(mesh, placed, file, method));
-        } catch (const std::runtime_error& error) { // the others still tell something
+        } catch (const std::runtime_error& error) { // the others are still of use
             warn(kTool, method.name + ": " + error.what());
         }
     if (move.rows.empty())

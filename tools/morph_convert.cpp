@@ -53,7 +53,7 @@ void add_mode_options(CommandLine& line, Options& options)
              "one that fails does not stop the others, and the exit status is then 1")
         .type_name("DIR");
     line.add("--fields", options.fields,
-             "Take fields from a file of their own beside the mesh: an SU2 restart or other CSV file, or\n"
+             "Take fields from a separate file: an SU2 restart or other CSV file, or\n"
              "a mesh file of the same mesh")
         .type_name("FILE");
     line.add_flag("--list", options.list, "List the formats and what each can hold");

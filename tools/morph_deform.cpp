@@ -57,7 +57,7 @@ void add_options(CommandLine& line, Options& options)
         .type_name("dJdX.csv");
     line.add("--guard", options.guard,
              "check: count inverted elements, look for crossing boundaries, exit with 3 if there\n"
-             "are any; untangle: repair inverted elements first; remesh: and make anew what is left\n"
+             "are any; untangle: repair inverted elements first; remesh: and remesh what is left\n"
              "inverted or flat, which changes numbers; none: do not look")
         .one_of(names_of<Guard>());
     line.add_from(options.from);

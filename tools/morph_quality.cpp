@@ -37,7 +37,7 @@ void add_options(CommandLine& line, Options& options)
 {
     line.add("mesh", options.mesh, "Mesh file").required().type_name("MESH");
     line.add("--reference", options.reference,
-             "The same mesh before it was moved: adds size-skew and what changed beside the walls")
+             "The same mesh before it was moved: adds size-skew and what changed next to the walls")
         .type_name("UNDEFORMED");
     line.add("--list", options.list, "Write the inverted elements with their metrics as CSV")
         .type_name("FILE.csv");
@@ -106,7 +106,7 @@ FullQuality check(const Options& options, OutputFiles& outputs)
 int quality(int argc, char** argv)
 {
     CommandLine line(
-        kTool, "What is wrong with this mesh: inverted and badly shaped elements, cells beside walls",
+        kTool, "What is wrong with this mesh: inverted and badly shaped elements, cells next to walls",
         "  morph-quality deformed.su2 --reference naca0012.su2 --list bad.csv --picture worst.png\n"
         "counts the inverted elements of deformed.su2, compares every element with what it was in\n"
         "naca0012.su2, lists the inverted ones in bad.csv, and draws the worst spot.");

@@ -87,7 +87,7 @@ void add_options(CommandLine& line, Options& options)
     line.add_flag("--conservative", options.conservative,
                   "Nodal fields: keep the integral (Galerkin projection) instead of interpolating");
     line.add_from(options.from);
-    line.add("--from-target", options.from_target, "Format of TARGET, when its extension does not tell")
+    line.add("--from-target", options.from_target, "Format of TARGET, when its extension does not say")
         .type_name("NAME");
     line.add_to(options.to);
 }

@@ -77,7 +77,8 @@ void add_options(CommandLine& line, Options& options)
              "the smooth curve through the nodes of each marker, corners kept)")
         .type_name("CASE.toml");
     line.add_flag("--fresh", options.fresh,
-                  "Mesh a planar domain anew: of the nodes of IN only those of the boundary, of markers and\n"
+                  "Mesh a planar domain from its boundary: of the nodes of IN only those of the boundary, of "
+                  "markers and\n"
                   "of borders between groups are started from")
         .excludes(only_bad);
     line.add_flag("--no-fields", options.no_fields, "Leave the fields of IN behind");
@@ -102,13 +103,13 @@ RemeshSettings settings_of(const Mesh& mesh, const Options& options)
     return settings;
 }
 
-/// The new mesh; with a number of vertices wanted, sizes are corrected by how many there are too many or too
+/// The new mesh; with a target number of vertices, sizes are corrected by how many there are too many or too
 /// few, as long as that helps.
 RemeshResult remade(const Mesh& old, const Options& options, const RemeshSettings& settings,
                     Eigen::VectorXd& sizes)
 {
     constexpr int kCorrections = 4;
-    constexpr double kNear = 0.02; // of the number wanted
+    constexpr double kNear = 0.02; // of the target number
     if (options.hausdorff > 0)
         return remesh_within(old, options.hausdorff, sizes, settings);
     const Index vertices = target_vertices(old, options.sizes);
@@ -163,7 +164,7 @@ int remesh_file(int argc, char** argv)
 {
     Options options;
     CommandLine line(
-        kTool, "Makes the triangles of a mesh anew, of the edge lengths wanted.",
+        kTool, "Remeshes the triangles of a mesh with target edge lengths.",
         "  morph-remesh wing.su2 -o coarse.su2 --scale 1.5\n"
         "makes edges one and a half times as long; markers, corners and quads stay, nodes of the\n"
         "boundary move along it.");

@@ -106,7 +106,7 @@ void describe(Report& report, const Options& options, const std::vector<Mesh>& m
 
 void add_options(CommandLine& line, Options& options)
 {
-    line.add("meshes", options.meshes, "Mesh file; a second one is drawn beside it in the same view")
+    line.add("meshes", options.meshes, "Mesh file; a second one is drawn next to it in the same view")
         .required()
         .count(1, 2)
         .type_name("MESH [MESH2]");

@@ -175,7 +175,7 @@ private:
     }
 
     /// Boundary edges between nodes of the set are a marker, where they take in all of its nodes. A set of
-    /// all nodes tells nothing.
+    /// all nodes has no information.
     void add_node_set(const AbaqusSets::Set& set)
     {
         const std::string name = full_name(set.name);

@@ -91,7 +91,7 @@ void require_memory(const std::string& path, std::size_t bytes)
 std::string gunzip(std::string_view bytes, const std::string& path)
 {
     constexpr std::size_t kLargestPiece = 1U << 30U;
-    const std::size_t most = free_memory() / 2; // text grows beside its old self
+    const std::size_t most = free_memory() / 2; // the text grows next to the compressed bytes
     Inflater inflater;
     z_stream& stream = inflater.stream;
     std::string text;

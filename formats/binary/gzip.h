@@ -17,7 +17,7 @@ std::string without_gz(const std::string& path);
 /// @throws InputError  the file is cut short or damaged, or what it stands for needs more memory than is free
 std::string gunzip(std::string_view bytes, const std::string& path);
 
-/// Refuse what could not be held beside the mesh made from it, before the kernel does.
+/// Refuse what could not be held next to the mesh made from it, before the kernel does.
 /// @param bytes  size of the text or numbers of a file
 /// @throws InputError  more than the free memory of the machine; says both
 void require_memory(const std::string& path, std::size_t bytes);

@@ -45,7 +45,7 @@ CgnsFile::CgnsFile(const InputBytes& input, const std::string& path) : input_(in
 }
 
 // Version 3.4 of the library refuses files of 4.0 and later for their number alone: what they added does
-// not touch what is read here. The copy at hand is told to be of 3.4.
+// not touch what is read here. The copy is declared to be of version 3.4.
 void CgnsFile::accept_newer_version(int type) const
 {
     int file = 0;

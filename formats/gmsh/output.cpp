@@ -66,7 +66,7 @@ void write_gmsh_header(GmshOutput& out, std::string_view version)
     out.line(std::string(version) + (out.binary() ? " 1 8" : " 0 8"));
     if (out.binary()) {
         out.begin_record();
-        out.integer(1); // tells the byte order
+        out.integer(1); // marks the byte order
         out.end_record();
         out.end_numbers();
     }

@@ -75,7 +75,7 @@ void write_gmsh_header(GmshOutput& out, std::string_view version);
 void write_gmsh_names(GmshOutput& out, const MeshData& mesh, Index no_group);
 
 /// @param faces  the elements as the file has them behind the lines, with tags that count up from 1 with the
-///               lines; meshio wants values for every element of a file, so lines have those of one beside
+///               lines; meshio needs values for every element of a file, so lines have those of one next to
 void write_gmsh_fields(GmshOutput& out, const MeshData& mesh, const std::vector<Index>& faces);
 
 } // namespace morph

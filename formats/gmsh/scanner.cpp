@@ -65,10 +65,10 @@ void GmshScanner::read_header()
     if (!binary_)
         return;
     at_ = text_.position();
-    const auto one = raw<std::uint32_t>("the number 1 that tells the byte order");
+    const auto one = raw<std::uint32_t>("the number 1 that marks the byte order");
     swapped_ = one == 0x01000000U;
     if (one != 1 && !swapped_)
-        fail_at(at_ - sizeof one, "expected the number 1 that tells the byte order");
+        fail_at(at_ - sizeof one, "expected the number 1 that marks the byte order");
     text_.seek(at_);
 }
 

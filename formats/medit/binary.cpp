@@ -27,7 +27,7 @@ class MeditBinary : public MeditSource {
 public:
     explicit MeditBinary(const InputBytes& file) : path_(file.path), bytes_(file.bytes)
     {
-        const auto one = take<std::int32_t>("the number 1, which tells the byte order");
+        const auto one = take<std::int32_t>("the number 1, which marks the byte order");
         swap_ = one == kSwappedOne;
         version_ = take<std::int32_t>("the version");
         if (version_ < 1 || version_ > 4)

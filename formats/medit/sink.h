@@ -32,7 +32,7 @@ public:
 /// @param bytes      about what a binary file will take, which decides its version: 2 below 2^31, else 3
 std::unique_ptr<MeditSink> medit_sink(OutputFile& out, bool binary, int dimension, std::size_t bytes);
 
-/// Whether a file is binary: by its extension as libMeshb does (.meshb and .solb are), for another as wanted.
+/// Whether a file is binary: by its extension as libMeshb does (.meshb and .solb are), for another as asked for.
 bool is_binary_medit(const std::string& path, bool wanted);
 
 } // namespace morph

@@ -7,12 +7,12 @@
 
 namespace morph {
 
-/// Solutions are fields in a file beside a MEDIT mesh (.sol, in binary .solb), at vertices, triangles and
+/// Solutions are fields in a file next to a MEDIT mesh (.sol, in binary .solb), at vertices, triangles and
 /// quadrilaterals. A solution is a scalar, a vector, a symmetric matrix (its lower triangle, row by row) or a
 /// matrix of the dimension of the mesh. A field of another number of components is several scalars. Names are
 /// in comments behind the last section: "# vertex field 1 = pressure", "# vertex field 2 to 6 = stress".
 
-/// Read the solutions beside the mesh file @p file, if there are any, as fields of @p mesh: of x.mesh x.sol
+/// Read the solutions next to the mesh file @p file, if there are any, as fields of @p mesh: of x.mesh x.sol
 /// or else x.solb, of x.meshb the other way round. A file for another number of vertices or faces is warned
 /// of.
 /// @throws InputError  "path:line: …": what is wrong in the file of solutions

@@ -21,7 +21,7 @@ struct VolumeCell {
 };
 
 /// The cells of a file that may hold a volume mesh. What the file lists as faces, with its groups and the
-/// fields of vertices and faces, is in @p mesh; cells are beside it.
+/// fields of vertices and faces, is in @p mesh; the cells are separate.
 struct VolumeFile {
     MeshData mesh;
     std::vector<VolumeCell> cells;

@@ -6,7 +6,7 @@ namespace morph {
 
 /// Write Nastran bulk data: GRID in large field, CTRIA3 and CQUAD4 in small, the edges of markers as CROD.
 ///
-/// Each group and each marker has a property of its own, whose name a comment tells. Coordinates with more
+/// Each group and each marker has a property of its own, whose name is in a comment. Coordinates with more
 /// digits than 16 columns hold are rounded, and a comment behind them has all digits for our reader.
 /// @throws InputError  the file cannot be written
 void write_nastran(const MeshData& mesh, const WriteOptions& options, OutputFile& out);

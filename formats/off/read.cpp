@@ -22,7 +22,7 @@ public:
     {
         const std::size_t vertices = count("the number of vertices");
         const std::size_t faces = count("the number of faces");
-        in_.skip_line(); // the number of edges, which nobody reads
+        in_.skip_line(); // the number of edges, which is not needed
         read_vertices(vertices);
         mesh_.elements.reserve(faces);
         for (std::size_t f = 0; f < faces; ++f)

@@ -4,7 +4,7 @@
 
 namespace morph {
 
-/// Read a PLY mesh, as text or binary in either byte order. Properties of one number beside the coordinates
+/// Read a PLY mesh, as text or binary in either byte order. Properties of one number other than the coordinates
 /// are fields; rows of an element `edge` are the edges of markers; faces with numbers in properties `group`
 /// are in groups. Their names are in comments: see names.h. Other elements and lists are left out and
 /// warned of.

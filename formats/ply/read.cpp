@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// A second table of vertices or faces would start their numbers anew.
+    /// A second table of vertices or faces would restart their numbers.
     void require_once(const std::string& name) const
     {
         const std::vector<PlyElement>& elements = rows_.header().elements;

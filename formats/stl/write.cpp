@@ -189,7 +189,7 @@ std::vector<std::string> stl_losses(const MeshData& mesh, const WriteOptions& op
         lost.push_back("quads: " + std::to_string(quads) + " are cut into triangles");
     if (!is_order_kept(mesh))
         lost.emplace_back(
-            "the numbers of vertices: they are numbered anew when read, without those of no element");
+            "the numbers of vertices: they are renumbered when read, without those of no element");
     if (options.binary && mesh.points != mesh.points.cast<float>().cast<double>())
         lost.emplace_back("double precision in its binary form: coordinates are rounded; write it as text");
     return lost;

@@ -61,7 +61,7 @@ std::string zone_name(std::size_t zone)
     return "zone_" + std::to_string(zone + 1);
 }
 
-/// The zone that is wanted, by its number or name.
+/// The zone to be read, by its number or name.
 std::size_t wanted_zone(const InputBytes& file, std::size_t count)
 {
     const std::string& wanted = file.options.zone;

@@ -21,13 +21,13 @@ namespace morph {
 /// A quad whose fourth corner lies at the origin looks like a triangle. It is therefore written from its
 /// second corner on, in all of these files; they are read either way.
 
-/// Read a mesh or a list of destinations, which the number of counts in line 1 tells apart.
+/// Read a mesh or a list of destinations, distinguished by the number of counts in line 1.
 ///
 /// Nodes are numbered as they first appear; corners with equal coordinates are one. A row whose fourth corner
 /// is 0 0 is a triangle or a quad with a corner there: where the counts leave it open, the quads are those
 /// rows that are convex as quads and whose diagonal from corner 1 to 3 is no other element's side.
 /// @throws InputError  "path:line: …": also when line 1 counts other than what was found, or when neither the
-///                     counts nor the above tell which rows are quads
+///                     counts nor the above show which rows are quads
 MeshData read_thesis(const InputBytes& file);
 
 /// The corners of an element in the order in which they are written.
@@ -36,7 +36,7 @@ Element thesis_element(const MeshData& mesh, std::size_t number);
 /// Write a mesh, or its points when it has no elements.
 void write_thesis(const MeshData& mesh, const WriteOptions& options, OutputFile& out);
 
-/// What of this mesh neither write_thesis() nor the files beside it hold.
+/// What of this mesh neither write_thesis() nor its accompanying files hold.
 std::vector<std::string> thesis_losses(const MeshData& mesh, const WriteOptions& options);
 
 /// The nodal field in a file of function values, called f. Where values at one node differ by rounding, the

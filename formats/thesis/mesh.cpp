@@ -131,7 +131,7 @@ private:
                                               std::to_string(missing) + " of them among the " +
                                               std::to_string(choice) +
                                               " elements whose fourth corner is 0 0, but neither the counts "
-                                              "nor the elements tell which");
+                                              "nor the elements show which");
         return open;
     }
 

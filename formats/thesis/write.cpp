@@ -93,7 +93,7 @@ std::vector<std::string> thesis_losses(const MeshData& mesh, const WriteOptions&
         lost.push_back(std::to_string(joined) +
                        " vertices at the place of others: they are joined when read");
     if (!in_order)
-        lost.emplace_back("the numbers of vertices: they are numbered anew when read");
+        lost.emplace_back("the numbers of vertices: they are renumbered when read");
     return lost;
 }
 

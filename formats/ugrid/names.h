@@ -8,7 +8,7 @@
 
 namespace morph {
 
-/// The file x.mapbc beside x.lb8.ugrid, which FUN3D reads: a count, then for each surface its number, the
+/// The file x.mapbc next to x.lb8.ugrid, which FUN3D reads: a count, then for each surface its number, the
 /// number of its boundary condition and its name. Conditions are carried; 0 is written for a surface without
 /// one. Behind the last surface a comment may say how triangles and quads were mixed (element_order.h).
 
@@ -19,7 +19,7 @@ struct UgridNames {
     std::vector<OpaqueSection> sections; ///< boundary conditions
 };
 
-/// Read the file beside the mesh file at @p mesh_path; nothing when there is none.
+/// Read the file next to the mesh file at @p mesh_path; nothing when there is none.
 /// @throws InputError  "path:line: …"
 UgridNames read_ugrid_names_beside(const std::string& mesh_path);
 

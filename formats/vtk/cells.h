@@ -10,7 +10,7 @@ namespace morph {
 
 /// A grid as VTK's files hold it: cells of any type, fields with a row for every cell.
 ///
-/// Markers travel as line cells beside the elements, numbered and named as VtkNames says, so that ParaView
+/// Markers travel as line cells next to the elements, numbered and named as VtkNames says, so that ParaView
 /// shows and selects them.
 struct VtkGrid {
     Points points;
@@ -29,7 +29,7 @@ void use_names(VtkGrid& grid, const std::string& array, std::vector<std::string>
 
 /// Triangles and quads (pixels, strips, and polygons of 3 or 4 corners too) as elements, lines and polylines
 /// as markers, single points dropped; of tetrahedra, pyramids, wedges, hexahedra and voxels the boundary, as
-/// surface_of() says. Lines of a file that names no markers are told apart by the numbers that mesh
+/// surface_of() says. Lines of a file that names no markers are distinguished by the numbers that mesh
 /// generators leave in a cell array (`CellEntityIds`, `gmsh:physical`, `marker`, …), else they are one
 /// marker `lines`. The mesh is planar when z = 0 throughout.
 /// @throws InputError  "path: …": a cell of another type, corners out of range or of the wrong number,

@@ -94,7 +94,7 @@ std::vector<std::int32_t> marker_numbers(const MeshData& mesh)
 
 void put_beside_lines(const MeshData& mesh, const Field& field, const NumberSink& sink)
 {
-    if (mesh.elements.empty()) // nothing is beside the lines
+    if (mesh.elements.empty()) // there are only lines
         put_matrix(Matrix::Zero(static_cast<Index>(line_count(mesh)), field.values.cols()), sink);
     else if (!mesh.markers.empty())
         put_matrix(field.values(elements_at_markers(mesh), Eigen::all), sink);

@@ -32,7 +32,7 @@ struct VtkCellList {
 };
 
 /// The arrays of a file that holds @p mesh as described at VtkGrid. The line cells carry in each
-/// element field the values of an element beside them: a padding value such as 0 would stretch the
+/// element field the values of an element next to them: a padding value such as 0 would stretch the
 /// colour range of the field, and NaN cannot be read from ASCII files by VTK.
 struct VtkOutput {
     VtkArray points;

@@ -134,7 +134,7 @@ double rising_root(std::span<const double> coefficients)
 /// Appends the parameters, in [begin, end], where a polynomial passes from negative to positive.
 ///
 /// @param noise  coefficients no larger than this are rounding errors: the distance is constant, and any
-///               place is as good as another
+///               place is as close as another
 void find_rising_roots(std::span<double> coefficients, double begin, double end, double noise, int depth,
                        std::vector<double>& roots)
 {

@@ -15,7 +15,7 @@ namespace morph {
 
 namespace {
 
-constexpr int kKnotRounds = 12;      // knots placed anew from the last fit
+constexpr int kKnotRounds = 12;      // knots placed again from the last fit
 constexpr int kCorrections = 5;      // of the parameters, in each round
 constexpr int kLastCorrections = 20; // with the best knots
 // Share of the distance along the tangent in a step. Less converges sooner and swings more; 1 needs

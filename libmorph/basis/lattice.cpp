@@ -74,7 +74,7 @@ SplineAxis axis_along(const LatticeDefinition& lattice, std::size_t d)
     return {lattice.degree[d], std::move(knots)};
 }
 
-/// Do something for each direction that counts; what it refuses is told with the direction.
+/// Do something for each direction that counts; its errors name the direction.
 template <typename Work>
 void along_each(const LatticeDefinition& lattice, const Work& work)
 {

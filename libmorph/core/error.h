@@ -5,7 +5,7 @@
 
 namespace morph {
 
-/// The caller can mend it: a broken file, an index out of range, a name that does not exist.
+/// Invalid input, which the caller can fix: a broken file, an index out of range, a name that does not exist.
 /// The message is one line for a person: what is wrong, where, what was expected.
 class InputError : public std::runtime_error {
 public:

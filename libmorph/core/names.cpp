@@ -35,7 +35,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates)
 {
-    constexpr std::size_t kLongestName = 200; // beyond it nobody mistyped anything
+    constexpr std::size_t kLongestName = 200; // longer texts are no typing errors
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
     for (const std::string& candidate : candidates) {

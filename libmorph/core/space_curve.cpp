@@ -16,7 +16,7 @@ constexpr std::size_t kRowsPerBlock = 16384;
 /// by how the curve lies in the cell and which of the cells within is meant, the place of that one
 /// along the curve and how the curve lies in it.
 ///
-/// The curve lies in a cell in one of N 2^N ways, told by the corner where it enters and the axis along
+/// The curve lies in a cell in one of N 2^N ways, given by the corner where it enters and the axis along
 /// which it leaves [Hamilton & Rau-Chaplin 2008, Information Processing Letters 105(5), 155-163; the
 /// functions below are theirs].
 template <unsigned N>

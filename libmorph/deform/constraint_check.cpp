@@ -15,7 +15,7 @@ public:
             throw InputError("the displacements have " + std::to_string(components_) +
                              " columns, but there are 2 or 3 dimensions");
         if (!wanted.allFinite())
-            throw InputError("the wanted displacements are not all finite");
+            throw InputError("the requested displacements are not all finite");
     }
 
     void boundary(const ConstrainedBoundary& boundary) const

@@ -139,8 +139,9 @@ private:
         const Eigen::VectorXd values = measures_.at(start).values;
         for (std::size_t j = 0; j < sorted_.size(); ++j)
             if (std::isnan(values[static_cast<Eigen::Index>(j)]))
-                throw SolverError("the wanted displacements move the boundary off the line of constraint " +
-                                  quoted(sorted_[j].name));
+                throw SolverError(
+                    "the requested displacements move the boundary off the line of constraint " +
+                    quoted(sorted_[j].name));
     }
 
     std::string failure(const NearestPoint& nearest, const Matrix& found) const

@@ -30,7 +30,7 @@ struct AreaKept {
     std::size_t boundary = 0; ///< which of ConstraintSet::boundaries
 };
 
-/// Points that must go where they are told: nowhere, when no displacements are given.
+/// Points with a prescribed displacement: zero, when no displacements are given.
 struct FixedPoints {
     std::string name;
     ControlledPoints points; ///< m
@@ -76,14 +76,14 @@ struct ConstraintSet {
     std::vector<FixedPoints> fixed;
     std::vector<Tie> ties;
     std::vector<Symmetry> symmetries;
-    std::vector<Index> held; ///< control points that keep their wanted displacement
+    std::vector<Index> held; ///< control points that keep their requested displacement
 };
 
 /// What became of an area, a thickness or a distance.
 struct MeasuredConstraint {
     std::string name;
     double undisplaced = 0; ///< without any displacement
-    double wanted = 0;      ///< with the wanted displacements
+    double wanted = 0;      ///< with the requested displacements
     double bound = 0;
     double reached = 0;
     bool active = true; ///< it changed the displacements
@@ -92,12 +92,12 @@ struct MeasuredConstraint {
 /// What satisfy_constraints() found.
 struct ConstrainedMove {
     Matrix displacements; ///< K x c
-    double change = 0;    ///< Frobenius norm of what was added to the wanted displacements
+    double change = 0;    ///< Frobenius norm of what was added to the requested displacements
     int iterations = 0;
     std::vector<MeasuredConstraint> measured; ///< areas, thicknesses, distances, in the order of the set
 };
 
-/// The displacements nearest to the wanted ones that satisfy all constraints, by least squares over the
+/// The displacements nearest to the requested ones that satisfy all constraints, by least squares over the
 /// control points.
 ///
 /// Written on the rows of weights alone, so for every linear method. Fixed points, ties and symmetries are
@@ -105,9 +105,9 @@ struct ConstrainedMove {
 /// areas and distances; for thicknesses, whose derivatives are smoothed (extent_along()), it falls by about
 /// the angle between neighbouring sides. Areas are met to 1e-12 of themselves, lengths to 1e-12 of the size
 /// of their boundary, linear constraints to 1e-11 of the size of the displacements or shapes. Control points
-/// that no constraint concerns keep their wanted displacements.
+/// that no constraint concerns keep their requested displacements.
 ///
-/// The search is local and starts from the wanted displacements: moves much larger than the shape can end
+/// The search is local and starts from the requested displacements: moves much larger than the shape can end
 /// elsewhere than nearest, or get stuck.
 ///
 /// @param constraints  what the displacements must keep
@@ -115,7 +115,7 @@ struct ConstrainedMove {
 /// @throws InputError   the sizes do not fit, a number is not finite, something does not exist; or linear
 ///                      constraints contradict each other: names the two most involved
 /// @throws SolverError  the constraints cannot be met together: names the two most involved, as far as the
-///                      nearest displacements found tell; or the search got stuck, which it says
+///                      nearest displacements found show; or the search got stuck, which it says
 ConstrainedMove satisfy_constraints(const ConstraintSet& constraints, const Matrix& wanted);
 
 } // namespace morph

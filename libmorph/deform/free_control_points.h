@@ -8,7 +8,7 @@
 namespace morph {
 
 /// The control points that constraints can change: those that some constraint concerns and that are not held.
-/// The others keep their wanted displacements, and what they move moves along. The unknowns are the
+/// The others keep their requested displacements, and what they move moves along. The unknowns are the
 /// displacements of the free ones, row by row.
 class FreeControlPoints {
 public:
@@ -17,7 +17,7 @@ public:
 
     const std::vector<Index>& numbers() const { return numbers_; } ///< F, ascending
 
-    /// Their wanted displacements, F x c.
+    /// Their requested displacements, F x c.
     Matrix wanted() const { return wanted_(numbers_, Eigen::all); }
 
     /// Points as they follow the free ones alone.

@@ -31,7 +31,7 @@ public:
     /// @param form  n
     std::vector<std::size_t> sources_of(const Eigen::VectorXd& form) const;
 
-    /// The solution nearest to what is wanted.
+    /// The solution nearest to the requested one.
     const Eigen::VectorXd& base() const { return base_; }
 
     Eigen::Index dimension() const { return equations_.rows() == 0 ? base_.size() : directions_.cols(); }

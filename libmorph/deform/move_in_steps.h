@@ -10,7 +10,7 @@ inline constexpr int kAutoSteps = 0;
 /// The most steps that kAutoSteps takes.
 inline constexpr int kMostAutoSteps = 50;
 
-/// Move a mesh with its boundary in increments, each computed anew on the mesh that the one before left.
+/// Move a mesh with its boundary in increments, each computed on the mesh that the one before left.
 ///
 /// The boundary goes from where it is to where it is displaced by the local rigid motions of
 /// boundary_frames(): after a part f of the way every frame has turned by f times its angle, so that a body

@@ -9,7 +9,7 @@ namespace morph {
 namespace {
 
 // Far above round-off of the decomposition, and small enough that what is given up stays below 1e-10 of the
-// change even when the change is a hundred times the size of the wanted displacements.
+// change even when the change is a hundred times the size of the requested displacements.
 constexpr double kOutOfReach = 1e-12;
 
 std::string size_of(const Matrix& matrix)
@@ -23,7 +23,7 @@ void require_valid(const ControlledPoints& points, const Matrix& wanted, const M
         throw InputError("the displacements are " + size_of(given) + ", but the weights are for " +
                          std::to_string(points.weights.cols()) + " control points in 2 or 3 dimensions");
     if (wanted.rows() != points.weights.rows() || wanted.cols() != given.cols())
-        throw InputError("the wanted displacements are " + size_of(wanted) + ", but there are " +
+        throw InputError("the requested displacements are " + size_of(wanted) + ", but there are " +
                          std::to_string(points.weights.rows()) + " points in " +
                          std::to_string(given.cols()) + " dimensions");
     if (!wanted.allFinite() || !given.allFinite())

@@ -32,7 +32,7 @@ inline constexpr double kFrameReach = 0.05;
 ///
 /// Angles are followed from vertex to vertex without jumps, and their mean is within half a turn of the
 /// rotation that fits the whole body: a rigid turn by 120 degrees is 120 degrees at every vertex. From where
-/// things end a turn by 200 degrees cannot be told from one by -160: a body turns by less than half a turn
+/// things end a turn by 200 degrees cannot be distinguished from one by -160: a body turns by less than half a turn
 /// here, its parts by any angle against it. The translation is what the turn leaves of the vertex's
 /// displacement; away from moving edges it is the displacement.
 ///

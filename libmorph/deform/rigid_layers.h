@@ -7,7 +7,7 @@
 
 namespace morph {
 
-/// The cells beside a marker that keep their shape.
+/// The cells next to a marker that keep their shape.
 struct RigidLayer {
     std::string marker;
     double distance = 0; ///< from the marker, length unit of the mesh

@@ -7,7 +7,7 @@
 
 namespace morph {
 
-/// A number that tells of a shape.
+/// A number that measures a shape.
 struct ShapeMeasure {
     enum class Kind {
         area,    ///< area inside a closed polygon in the x, y plane

@@ -28,7 +28,7 @@ std::vector<Chord> chords_of(const std::vector<OutlineLoop>& loops);
 std::vector<std::pair<std::size_t, std::size_t>> meeting_chords(const std::vector<Chord>& chords,
                                                                 double touching);
 
-/// The curve can no more be told from the chord: splitting it further decides nothing.
+/// The curve cannot be distinguished from the chord any more: splitting it further decides nothing.
 bool is_flat(const Chord& chord, double touching);
 
 } // namespace morph

@@ -17,7 +17,7 @@ struct Triangulation {
 /// The elements of a mesh as triangles, quads cut along the diagonal from their first corner.
 Triangulation triangulate(const Mesh& mesh);
 
-/// Make strangers of the triangles on both sides of these edges: a later flip cannot remove them.
+/// Mark these edges as constraints: flips never remove them.
 /// Edges that the triangulation does not have are ignored.
 void cut_along(Triangulation& triangulation, const std::vector<std::array<Index, 2>>& edges);
 

@@ -16,7 +16,7 @@ struct EdgeCrossing {
     Eigen::Vector2d point;        ///< where, to rounding
 };
 
-/// Two edges in the plane that cross, touch or overlap beside a vertex they share, if there are any: of all
+/// Two edges in the plane that cross, touch or overlap anywhere but at a vertex they share, if there are any: of all
 /// such pairs the one whose numbers are lowest. Decided exactly. Edges with the same two vertices are one
 /// edge.
 ///

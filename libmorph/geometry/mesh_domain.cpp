@@ -69,7 +69,7 @@ void require_curves(const DomainSpec& spec)
     }
 }
 
-/// Each node of a curve wants edges as long as the two beside it on the curve.
+/// The target size at a node of a curve is that of its two edges on the curve.
 SizeField size_field(const std::vector<OutlineLoop>& loops, const DomainSpec& spec)
 {
     std::vector<SizeSample> samples;
@@ -220,7 +220,7 @@ void require_good_angles(const MeshData& data, const SmallCorners& corners)
         if (!excused)
             throw SolverError("the mesh has an angle of " + number(angle) + " degrees near (" +
                               number(x.x()) + ", " + number(x.y()) + "), where at least " +
-                              number(kMinMeshAngle) + " were wanted");
+                              number(kMinMeshAngle) + " were asked for");
     }
 }
 

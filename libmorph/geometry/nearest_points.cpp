@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kRowsPerBlock = 256; // queries
 constexpr int kLeaf = 10;                  // points; by measurement
 
-// FLANN passes over what is no nearer than the farthest it was told, and its distance to a box, added up on
-// the way down the tree, may round by a unit in the last place a level. Told a little more, it lets pass
+// FLANN passes over what is no nearer than the given limit, and its distance to a box, added up on
+// the way down the tree, may round by a unit in the last place a level. Given a slightly larger limit, it lets pass
 // whatever is equally far.
 constexpr double kWidening = 1 + 1e-12;
 constexpr double kLeastWidening = std::numeric_limits<double>::min();
@@ -176,7 +176,7 @@ void NearestPoints::nearest(const Eigen::Ref<const Points>& queries, int k, cons
     for (Eigen::Index q = 0; q < queries.rows(); ++q)
         if (!tree_->reaches(queries.row(q)))
             throw InputError("point " + std::to_string(q) +
-                             " is not finite, or too far from the others to tell which are near");
+                             " is not finite, or too far from the others to decide which are near");
     parallel_for(static_cast<std::size_t>(queries.rows()), kRowsPerBlock,
                  [&](std::size_t begin, std::size_t end) {
                      tree_->visit_block(queries, begin, end, static_cast<std::size_t>(k), visit);

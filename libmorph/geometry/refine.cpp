@@ -30,8 +30,8 @@ using Triple = std::array<Index, 3>;
 // Refinement aims a little above kMinMeshAngle; Chew's algorithm ends for angles up to 28.6 degrees.
 const double kSineOfAim = std::sin((kMinMeshAngle + 1) * std::numbers::pi / 180);
 
-// Largest circumradius, as a part of that of the equilateral triangle of the wanted size. Refinement
-// leaves triangles of all sizes below its limit; with this their edges have the wanted size on average.
+// Largest circumradius, as a part of that of the equilateral triangle of the target size. Refinement
+// leaves triangles of all sizes below its limit; with this their edges have the target size on average.
 constexpr double kRadiusAllowance = 1.4;
 
 // A new vertex that sees a boundary edge under more than 135 degrees is too near to it.
@@ -109,7 +109,7 @@ private:
         VertexHandle handle; ///< null: removed again
         Index loop = -1;
         double u = 0;
-        double size = 0; ///< wanted there
+        double size = 0; ///< target there
         BoundaryPlace place;
     };
 
@@ -130,7 +130,7 @@ private:
     void enqueue(FaceHandle f);
     void enqueue_around(VertexHandle v);
     FaceHandle find_face(const Triple& corners) const;
-    bool mend(FaceHandle f);
+    bool repair(FaceHandle f);
     Walk walk_to(const Point& target, FaceHandle from) const;
 
     bool split(FaceHandle f, int edge);
@@ -145,7 +145,7 @@ private:
     SmallCorners corners_;
     Triangulation triangulation_;
     std::vector<Vertex> vertices_;
-    std::deque<Triple> tasks_; ///< corners of triangles to be mended, if they still exist
+    std::deque<Triple> tasks_; ///< corners of triangles to be repaired, if they still exist
     bool angles_too_ = false;
 };
 
@@ -218,7 +218,7 @@ bool Refiner::too_large(FaceHandle f, const Circle& circle) const
     return circle.radius * std::sqrt(3.0) > kRadiusAllowance * wanted;
 }
 
-/// Mend every triangle that needs it, and those that come of it.
+/// Repair every bad triangle, and those that a repair creates.
 /// @return something was done
 bool Refiner::pass()
 {
@@ -228,7 +228,7 @@ bool Refiner::pass()
     while (!tasks_.empty()) {
         const FaceHandle f = find_face(tasks_.front());
         tasks_.pop_front();
-        if (f != FaceHandle() && mend(f))
+        if (f != FaceHandle() && repair(f))
             changed = true;
     }
     return changed;
@@ -266,7 +266,7 @@ FaceHandle Refiner::find_face(const Triple& corners) const
 
 /// Put a vertex at the circumcentre of a flawed triangle or, where a boundary edge is in the way of a
 /// good angle, split that edge.
-bool Refiner::mend(FaceHandle f)
+bool Refiner::repair(FaceHandle f)
 {
     const Circle circle = circumcircle(f);
     const Point centre(circle.centre.x(), circle.centre.y());

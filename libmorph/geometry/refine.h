@@ -21,7 +21,7 @@ struct Refined {
 };
 
 /// Constrained Delaunay triangulation of the domain between the loops, refined until its triangles have
-/// the wanted size and no angle is too small (see mesh_domain()).
+/// the target size and no angle is too small (see mesh_domain()).
 ///
 /// @param loops  as make_outline() gives them: disjoint polygons, the box last
 /// @param expected_vertices  about as many as there will be, for the progress

@@ -8,13 +8,13 @@
 
 namespace morph {
 
-/// Wanted edge length at a place.
+/// Target edge length at a place.
 struct SizeSample {
     Eigen::Vector2d point;
     double size = 0;
 };
 
-/// The edge length wanted anywhere in the plane: min(largest, min_i size_i + growth |x - x_i|).
+/// The target edge length anywhere in the plane: min(largest, min_i size_i + growth |x - x_i|).
 ///
 /// It is the largest function below the samples whose slope is at most growth, so lengths of
 /// neighbouring edges differ little [Persson 2006, Mesh size functions for implicit geometries].

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kRowsPerBlock = 32768;
 
-/// Make the edges of markers halfedges of the kernel, while each edge is still told by its two vertices.
+/// Make the edges of markers halfedges of the kernel, while each edge is still identified by its two vertices.
 void markers_to_halfedges(Mesh& mesh, const EdgeTable& edges)
 {
     for (Marker& marker : mesh.markers)

@@ -58,7 +58,7 @@ std::size_t corners(const Kernel& kernel)
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-/// The fans beside the first one of each vertex, in the order of their elements. The first ones are
+/// The fans other than the first one of each vertex, in the order of their elements. The first ones are
 /// made those that the kernel knows.
 std::vector<Fan> further_fans(Kernel& kernel)
 {

@@ -86,7 +86,7 @@ void add_wall_field(MetricFields& fields, const std::string& name, const Mesh& m
     Matrix& values = fields.new_field(name);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         double& chosen = values(mesh.numbering.element[static_cast<std::size_t>(cells[i].face)], 0);
-        chosen = choice(chosen, value(i)); // fmin and fmax take the number beside a NaN
+        chosen = choice(chosen, value(i)); // fmin and fmax ignore a NaN
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace morph {
 
-/// An element beside an edge of a marker.
+/// An element next to an edge of a marker.
 struct WallCell {
     std::array<Index, 2> edge{}; ///< vertices, the element to the left
     Index face = 0;
@@ -20,7 +20,7 @@ struct WallCell {
     double angle = 0; ///< degrees between wall normal and side of the element, 0 when it stands upright
 };
 
-/// The elements beside the edges of a marker, in the order of the edges; two for an edge inside the mesh.
+/// The elements next to the edges of a marker, in the order of the edges; two for an edge inside the mesh.
 ///
 /// Distances count along the normal of the edge into the element, in a surface that in the plane of the
 /// element, and are negative beyond the wall. The angle of a quad is the larger one of its two sides; that of
@@ -42,20 +42,20 @@ struct ValueRange {
     double max = 0;
 };
 
-/// A value and the element beside a wall that has it.
+/// A value and the element next to a wall that has it.
 struct WallPlace {
     double value = 0;
     Index element = 0;                                ///< file number
     Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< of the edge of the wall
 };
 
-/// What a move did to the elements beside a wall.
+/// What a move did to the elements next to a wall.
 struct WallChange {
     WallPlace height; ///< largest height_change()
     WallPlace angle;  ///< largest angle_change()
 };
 
-/// The elements beside one marker.
+/// The elements next to one marker.
 struct WallQuality {
     std::string marker;
     Index cells = 0;
@@ -64,7 +64,7 @@ struct WallQuality {
     std::optional<WallChange> change; ///< with a reference only
 };
 
-/// The elements beside each marker that has edges, in the order of the markers.
+/// The elements next to each marker that has edges, in the order of the markers.
 /// @param mesh       with markers
 /// @param positions  n x 3, where the vertices are
 /// @param reference  positions before the move (n x 3), or null

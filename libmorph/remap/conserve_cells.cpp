@@ -27,7 +27,7 @@ class Mean {
 public:
     explicit Mean(const Matrix& values) : values_(values) {}
 
-    /// Start anew where the target is another element than before.
+    /// Start again where the target is another element than before.
     void go_to(Index target)
     {
         if (target_ != target)

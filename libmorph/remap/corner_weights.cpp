@@ -103,7 +103,7 @@ CornerWeights bilinear_weights(const PlaneElement& quad, PlanePoint p)
     const BilinearMap map(quad);
     const Vector2d h = vector(map.a, p);
     Vector2d uv = map.closed_form(h);
-    constexpr int kMostSteps = 4; // the closed form is there up to cancellation; Newton's steps mend that
+    constexpr int kMostSteps = 4; // the closed form is there up to cancellation; Newton's steps repair that
     double error = map.residual(h, uv).norm();
     for (int i = 0; i < kMostSteps; ++i) {
         const Vector2d next = map.newton_step(h, uv);

@@ -18,7 +18,7 @@ constexpr std::size_t kRowsPerBlock = 2048; // targets that one walk after the o
 constexpr std::size_t kAhead = 8;           // targets: long enough for memory to answer
 constexpr Index kSamples = 512;             // faces among which the first walk of a block starts
 constexpr Index kShortestPatience = 64;
-constexpr Index kUnknown = -2; // a walk alone cannot tell
+constexpr Index kUnknown = -2; // a walk alone cannot decide
 
 PlanePoint plane_point(const Mesh& mesh, VertexHandle v)
 {

@@ -32,7 +32,7 @@ public:
     /// @param jump  the triangle at or near a point, -1: not known
     void jump_with(std::function<Index(const Eigen::Vector3d&)> jump) { jump_ = std::move(jump); }
 
-    /// Wanted sizes as vertices of the input are numbered; may be changed before find() is called.
+    /// Target sizes as vertices of the input are numbered; may be changed before find() is called.
     std::vector<TableVertex>& vertices() { return table_.vertices; }
     const CornerTable& table() const { return table_; }
 

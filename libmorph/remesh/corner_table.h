@@ -75,7 +75,7 @@ public:
     /// The neighbours of a vertex, counter-clockwise; replaces what is in @p found.
     void neighbours(Index vertex, std::vector<Index>& found) const;
 
-    /// Put a vertex on an edge and cut the triangles beside it in two.
+    /// Put a vertex on an edge and cut the triangles next to it in two.
     /// @return its number
     Index split(Index h, const TableVertex& vertex);
 

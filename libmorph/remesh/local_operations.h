@@ -18,7 +18,7 @@ std::size_t collapse_short_edges(RemeshState& state);
 /// better than before, and their edges not longer than that times the target length.
 bool try_collapse(RemeshState& state, Index h, Index keep, double least_quality, double longest = kLongEdge);
 
-/// Put a vertex in the middle of an edge, if the triangles beside it may be cut so.
+/// Put a vertex in the middle of an edge, if the triangles next to it may be cut so.
 /// @return its number, -1 if not
 Index try_split(RemeshState& state, Index h);
 

@@ -28,12 +28,12 @@ std::size_t at(Index i)
 void require_sizes(const Mesh& mesh, const Eigen::VectorXd& sizes)
 {
     if (sizes.size() != vertex_count(mesh))
-        throw InputError("there are " + std::to_string(sizes.size()) + " wanted sizes, but the mesh has " +
+        throw InputError("there are " + std::to_string(sizes.size()) + " target sizes, but the mesh has " +
                          std::to_string(vertex_count(mesh)) + " vertices");
     for (Index v = 0; v < vertex_count(mesh); ++v)
         if (!mesh.kernel.is_isolated(VertexHandle(v)) && (!(sizes[v] > 0) || !std::isfinite(sizes[v])))
             throw InputError("vertex " + std::to_string(mesh.numbering.vertex[at(v)]) +
-                             " has the wanted size " + number_text(sizes[v]) + ", but it has to be positive");
+                             " has the target size " + number_text(sizes[v]) + ", but it has to be positive");
 }
 
 std::vector<bool> kept_elements(const Mesh& mesh, const RemeshSettings& settings)

@@ -192,7 +192,7 @@ Retriangulated retriangulate(const Mesh& mesh, const std::vector<bool>& kept,
                              const RetriangulateSettings& settings)
 {
     if (mesh.dimension != 2)
-        throw InputError("only planar meshes can be triangulated anew, this one is a surface in space");
+        throw InputError("only planar meshes can be triangulated again, this one is a surface in space");
     if (kept.size() != at(element_count(mesh)))
         throw InputError("there are " + std::to_string(kept.size()) +
                          " marks of elements to keep, but the mesh has " +

@@ -57,7 +57,7 @@ Eigen::VectorXd sizes_of_field(const Mesh& mesh, const std::string& name, const 
     const Index wrong =
         first_wrong(mesh, field.values, [](double size) { return size > 0 && std::isfinite(size); });
     if (wrong >= 0)
-        throw InputError(place_of(mesh, name, wrong, where) + " has the wanted size " +
+        throw InputError(place_of(mesh, name, wrong, where) + " has the target size " +
                          number_text(field.values(wrong, 0)) + ", but it has to be positive");
     return field.values.col(0);
 }

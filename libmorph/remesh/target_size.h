@@ -9,7 +9,7 @@
 namespace morph {
 
 /// Mean length at each vertex of the edges of triangles or, where there are none, of all edges: n values, 0
-/// at one of no element. Quads of boundary layers are much thinner than the triangles beside them.
+/// at one of no element. Quads of boundary layers are much thinner than the triangles next to them.
 Eigen::VectorXd current_sizes(const Mesh& mesh);
 
 /// Sizes in the proportion that makes the L2 error of linear interpolation of a field least for a number of

@@ -67,7 +67,7 @@ public:
     explicit StepSolver(const Patch& patch) : patch_(patch) {}
 
     /// Corners of very different energies can leave a matrix that is indefinite by rounding: more on the
-    /// diagonal mends it. Nothing where even that does not help.
+    /// diagonal repairs it. Nothing where even that does not help.
     std::optional<Direction> direction(PatchEnergy::Model& model, const PlanePositions& x)
     {
         for (double shift = kFirstShift; shift < 1; shift *= 100) {

@@ -12,7 +12,7 @@ struct UntangleOptions {
     double exponent = 1.3;    ///< of an element's energy: larger ones favour the worst elements over the mean
     int rings = 8;            ///< of elements around an inverted one that move with it
     int iterations = 200;     ///< at most, for each patch
-    bool reinitialize = true; ///< where patches fail: also from the held vertices' move carried in anew
+    bool reinitialize = true; ///< where patches fail: also from the held vertices' move extended again
 };
 
 /// What untangle() came to.
@@ -21,7 +21,7 @@ struct UntangleResult {
     std::vector<Index> inverted; ///< the elements that still are, ascending
     std::vector<Index>
         unrepairable;         ///< those of them with a corner Jacobian <= 0 all of whose three vertices
-                              ///< are held: no positions of the others can mend them
+                              ///< are held: no positions of the others can repair them
     Index patch_vertices = 0; ///< vertices that were free to move, each time counted
     int iterations = 0;       ///< of all patches together
 };

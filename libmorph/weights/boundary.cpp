@@ -67,7 +67,7 @@ void claim_fixed(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
     }
 }
 
-/// Vertices of the boundary that no marker at all names; nobody said how they move, so they stay.
+/// Vertices of the boundary that no marker at all names; their move is not given, so they stay.
 Index claim_unmarked(const Mesh& mesh, ClaimsByVertex& claims)
 {
     std::vector<bool> marked(static_cast<std::size_t>(mesh.numbering.file_vertices));

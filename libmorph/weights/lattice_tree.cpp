@@ -89,7 +89,7 @@ private:
         Part part;
         Eigen::AlignedBox3d box;
         double determinant = 0;
-        std::vector<Sample> samples; ///< what tells whether it is folded
+        std::vector<Sample> samples; ///< decides whether it is folded
     };
 
     int deepest() const { return lattice_.dimension() == 2 ? kDeepestInPlane : kDeepestInSpace; }

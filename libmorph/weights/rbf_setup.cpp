@@ -37,7 +37,7 @@ void require_distinct_places(const DomainView& domain, const std::vector<Index>&
         throw InputError("vertices " + std::to_string(domain.file_vertex(same[0])) + " and " +
                          std::to_string(domain.file_vertex(same[1])) + " are held at the same place, (" +
                          number_text(x(*same, 0)) + ", " + number_text(x(*same, 1)) +
-                         "): radial functions cannot tell them apart");
+                         "): radial functions cannot distinguish them");
 }
 
 } // namespace

@@ -113,7 +113,7 @@ double ball_stiffness(const Corner& c, SpringStiffness stiffness)
     return stiffness_of(std::abs(c.twice_area) / (c.forth - c.back).norm(), stiffness);
 }
 
-/// The edge from corner i to the next; the element beside it has the other half.
+/// The edge from corner i to the next; the element next to it has the other half.
 void add_edge(const ElementPoints& element, int i, SpringStiffness stiffness, ElementMatrix& Q)
 {
     const Eigen::Vector2d edge = element.next(i) - element.at[static_cast<std::size_t>(i)];

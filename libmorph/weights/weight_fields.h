@@ -19,7 +19,7 @@ std::vector<Field> weight_fields(const std::vector<ControlPoint>& columns, Weigh
 /// The inverse of weight_fields().
 ///
 /// @param fields   of the mesh that the weights are for; others are passed over
-/// @param columns  the control points wanted, in this order
+/// @param columns  the control points, in this order
 /// @throws InputError  the field of a control point is missing (names it and those present), has more
 ///                     than one component, or holds something that is no finite number
 Weights weights_from_fields(const std::vector<Field>& fields, const std::vector<ControlPoint>& columns);

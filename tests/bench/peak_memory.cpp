@@ -25,7 +25,7 @@ std::size_t status_bytes(const std::string& key)
 PeakMemory::PeakMemory()
 {
     // Freed memory goes back to the system at once: what earlier stages left free would otherwise be
-    // reused unseen, or count although nobody holds it.
+    // reused unseen, or count although nothing refers to it.
     constexpr int kReturnedFrom = 1 << 20;
     mallopt(M_MMAP_THRESHOLD, kReturnedFrom);
     mallopt(M_TRIM_THRESHOLD, kReturnedFrom);

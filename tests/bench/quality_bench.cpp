@@ -42,7 +42,7 @@ void BM_QualityReportWithReference(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * element_count(mesh));
 }
 
-/// All that morph-quality tells: the worst elements' places and the cells beside the walls too.
+/// All that morph-quality reports: the worst elements' places and the cells next to the walls too.
 void BM_FullReportWithReference(benchmark::State& state)
 {
     const Mesh& mesh = mesh_of(static_cast<Index>(state.range(0)));

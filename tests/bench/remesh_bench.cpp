@@ -1,4 +1,4 @@
-// Remeshing to longer and shorter edges, and CGAL's remeshing and mesh generation beside it.
+// Remeshing to longer and shorter edges, compared with CGAL's remeshing and mesh generation.
 
 #include "libmorph/geometry/hausdorff.h"
 #include "libmorph/mesh/builder.h"

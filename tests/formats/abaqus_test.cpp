@@ -101,7 +101,7 @@ TEST(Abaqus, ReadsPhysicalGroupsThatGmshWrote)
     EXPECT_THAT(find_marker(mesh.markers, "wall")->edges, ElementsAre(Edge{0, 4}, Edge{4, 1}));
     ASSERT_TRUE(find_marker(mesh.markers, "far_field"));
     EXPECT_EQ(find_marker(mesh.markers, "far_field")->edges.size(), 6U);
-    EXPECT_EQ(mesh.markers.size(), 6U) << "four lines beside the two groups";
+    EXPECT_EQ(mesh.markers.size(), 6U) << "four lines as well as the two groups";
     ASSERT_EQ(mesh.groups.size(), 2U);
     EXPECT_EQ(mesh.groups[1].name, "domain");
     EXPECT_EQ(mesh.groups[1].elements.size(), 14U);

@@ -200,9 +200,9 @@ TEST(GmshReading, HeadersThatAreNoneAreRefused)
     EXPECT_EQ(refusal(replaced(header, "0 8", "0 8 1"), "gmsh"),
               "file:2: expected the end of the line after the header, found '1'");
     EXPECT_EQ(refusal("$MeshFormat\n4.1 1 8\nabcd\n$EndMeshFormat\n", "gmsh"),
-              "file: byte 20: expected the number 1 that tells the byte order");
+              "file: byte 20: expected the number 1 that marks the byte order");
     EXPECT_EQ(refusal("$MeshFormat\n4.1 1 8\nab", "gmsh"),
-              "file: byte 20: expected the number 1 that tells the byte order, found the end of the section");
+              "file: byte 20: expected the number 1 that marks the byte order, found the end of the section");
     EXPECT_EQ(refusal(replaced(header, "$End", "$Ende"), "gmsh"),
               "file:3: expected $EndMeshFormat, found '$EndeMeshFormat'");
     EXPECT_EQ(refusal(header + "$Nodes\n0 0 0 0\n$EndNode\n", "gmsh"),

@@ -117,7 +117,7 @@ TEST(Su2Zones, FaultsAreNamedWithTheLineInTheWholeFile)
               "file:6: NZONE= 2, but no NZONE= above NDIME= says that the file has zones");
 }
 
-/// A hexahedron, a pyramid on top of it and a prism beside it; the marker faces are those of the bottom, a
+/// A hexahedron, a pyramid on top of it and a prism next to it; the marker faces are those of the bottom, a
 /// triangle and a quad. Points: the cube of the hexahedron, the apex 8, and 9 and 10 of the prism.
 const std::string kVolume = "NDIME= 3\nNELEM= 3\n12 0 1 2 3 4 5 6 7 0\n14 4 5 6 7 8 1\n13 1 9 2 5 10 6 2\n"
                             "NPOIN= 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n.5 .5 2\n"

@@ -62,7 +62,7 @@ MeshData without_fields(MeshData mesh)
     return mesh;
 }
 
-/// What the reader says beside the mesh.
+/// What the reader reports in addition to the mesh.
 std::vector<std::string> warnings(const std::string& text, const ReadOptions& options = {})
 {
     ReadNotes notes;

@@ -118,7 +118,7 @@ TEST(Thesis, SaysWhenNothingTellsWhichRowIsAQuad)
     EXPECT_EQ(
         refusal("\n8 1 1\nid\n1 1 0 1 1 0 1 0 0\n2 -1 0 -1 -1 0 -1 0 0\n", "thesis"),
         "file:2: counts 1 quads, 1 of them among the 2 elements whose fourth corner is 0 0, but neither "
-        "the counts nor the elements tell which");
+        "the counts nor the elements show which");
 }
 
 TEST(Thesis, DestinationsArePointsWithoutElements)
@@ -203,7 +203,7 @@ TEST(Thesis, NamesWhatItsFilesCannotHold)
     EXPECT_THAT(losses(square_and_triangle(0)), IsEmpty());
     EXPECT_THAT(
         losses(square_and_triangle(1)),
-        ElementsAre(path + ": thesis cannot hold the numbers of vertices: they are numbered anew when read"));
+        ElementsAre(path + ": thesis cannot hold the numbers of vertices: they are renumbered when read"));
 
     MeshData loose = square_and_triangle(0);
     loose.points.conservativeResize(7, Eigen::NoChange);
@@ -218,7 +218,7 @@ TEST(Thesis, NamesWhatItsFilesCannotHold)
         losses(slit),
         ElementsAre(path +
                         ": thesis cannot hold 1 vertices at the place of others: they are joined when read",
-                    path + ": thesis cannot hold the numbers of vertices: they are numbered anew when read"));
+                    path + ": thesis cannot hold the numbers of vertices: they are renumbered when read"));
 
     MeshData points;
     points.points = Points::Zero(1, 3);

@@ -168,7 +168,7 @@ TEST_F(ConstrainedCase, MirrorAndTieTheControlPointsOfALattice)
     const Points kept = moved(lattice + "[constraints]\n[[constraints.mirrored]]\nboundary = \"lattice\"\n"
                                         "normal = [0, 1]\n[[constraints.tied]]\nboundary = \"lattice\"\n"
                                         "control_points = [[0, 0], [0, 1], [0, 2], [0, 3]]\n");
-    // Half of the wanted move on either side: the symmetric part of it.
+    // Half of the requested move on either side: the symmetric part of it.
     const Points wanted = moved(lattice);
     const auto mirror_image = [&](Index v) {
         Index image = 0;

@@ -125,7 +125,7 @@ TEST_F(LatticeCase, ContinuityHoldsTheOuterControlPoints)
     EXPECT_EQ(report()["lattice"]["held"], 28); // all but 2 x 1 of 30
 }
 
-/// Vertices at x = 0, h, 2 h, 4 h ... 1 on three lines, beside the face x = 0 of the unit square, and at x =
+/// Vertices at x = 0, h, 2 h, 4 h ... 1 on three lines, next to the face x = 0 of the unit square, and at x =
 /// -1.
 MeshData strip_at_a_face(double h)
 {

@@ -1,4 +1,4 @@
-// Every method of morph-deform that carries a boundary's move into the mesh, and what each can be told.
+// Every method of morph-deform that carries a boundary's move into the mesh, and the options of each.
 #include "formats/formats.h"
 #include "tests/support/cases.h"
 #include "tests/support/meshes.h"

@@ -1,4 +1,4 @@
-// The last resort of a large move: elements that no position of the vertices can mend are made anew.
+// The last resort of a large move: elements that no position of the vertices can repair are remeshed.
 #include "formats/formats.h"
 #include "libmorph/mesh/builder.h"
 #include "libmorph/quality/quality.h"
@@ -77,7 +77,7 @@ TEST_F(RemeshGuard, MendsAnElementWhoseVerticesAreAllHeld)
 
     const auto result = deform(text, "remesh", "remeshed.vtu");
     EXPECT_EQ(result.status, 0) << result.errors;
-    EXPECT_THAT(result.errors, HasSubstr("elements were made anew: numbers of vertices and elements differ"));
+    EXPECT_THAT(result.errors, HasSubstr("elements were remeshed: numbers of vertices and elements differ"));
     EXPECT_EQ(report()["quality"]["after"]["inverted"], 0);
     const MeshData before = written("untangled.vtu"), after = written("remeshed.vtu");
     EXPECT_EQ(quality_report(build_mesh(after)).inverted, 0);

@@ -288,7 +288,7 @@ TEST(MorphQuality, TellsWhatAMoveDidToTheCellsBesideTheWalls)
         EXPECT_NEAR(wall["height_change"]["max"], 0.1, kTol);
         EXPECT_NEAR(wall["orthogonality_change"]["max"], 45, kTol * 90);
     }
-    EXPECT_THAT(result.output, HasSubstr("beside bottom: first cells 0.225 to 0.225 high"));
+    EXPECT_THAT(result.output, HasSubstr("next to bottom: first cells 0.225 to 0.225 high"));
     EXPECT_THAT(result.output, HasSubstr("changed at most by 10 % (element "));
 }
 
@@ -301,7 +301,7 @@ TEST(MorphQuality, DrawsTheWorstSpotOfAValidMeshToo)
     ASSERT_EQ(quality({real("naca0012_inv.su2"), "--picture", folder.file("worst.png")}).status, 0);
     const std::string png = test::read_text(folder.file("worst.png"));
     EXPECT_THAT(png, testing::StartsWith("\x89PNG"));
-    // Two panels beside each other are 2100 pixels wide; one alone would have 1600.
+    // Two panels side by side are 2100 pixels wide; one alone would have 1600.
     EXPECT_EQ(png.substr(16, 4), std::string("\0\0\x08\x34", 4));
     const ProcessResult refused = quality({real("naca0012_inv.su2"), "--picture", folder.file("worst.gif")});
     EXPECT_EQ(refused.status, 1);

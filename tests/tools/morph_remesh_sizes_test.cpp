@@ -102,7 +102,7 @@ TEST(MorphRemeshSizes, CurvatureMakesChordsOfTheErrorAskedFor)
             for (const auto& [a, b] : marker.edges) {
                 const double sagitta = radius - (mesh.points.row(a) + mesh.points.row(b)).norm() / 2;
                 EXPECT_LT(sagitta,
-                          1.4 * 1.4 * std::stod(error)); // edges are up to 1.4 times as long as wanted
+                          1.4 * 1.4 * std::stod(error)); // edges are up to 1.4 times the target length
                 sum += sagitta;
             }
             EXPECT_GT(sum / static_cast<double>(marker.edges.size()), std::stod(error) / 2);
@@ -121,7 +121,7 @@ TEST(MorphRemeshSizes, NamesFileFieldAndVertexOfASizeThatIsNotPositive)
         const std::string in = folder.file("in.vtu"), out = folder.file("out.vtu");
         write_mesh_data(mesh, in);
         std::string expected = "morph-remesh: ";
-        expected += in + ": field 'h': vertex 5 has the wanted size ";
+        expected += in + ": field 'h': vertex 5 has the target size ";
         expected += number + ", but it has to be positive\n";
         EXPECT_EQ(errors_of({in, "-o", out, "--size-field", "h"}), expected);
         EXPECT_EQ(folder.names(), std::vector<std::string>{"in.vtu"});

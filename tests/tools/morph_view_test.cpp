@@ -141,7 +141,7 @@ TEST(MorphView, PaintsEachInvertedElementRedInAnSvg)
         ASSERT_EQ(result.status, 0) << result.errors;
         const std::string svg = test::read_text(folder.file("mesh.svg"));
         EXPECT_TRUE(is_well_formed(svg));
-        // Beside the elements: the swatch of the legend, and each letter of "n inverted", which are glyphs.
+        // Apart from the elements: the swatch of the legend, and each letter of "n inverted", which are glyphs.
         const std::size_t swatch = inverted > 0 ? 1 : 0;
         EXPECT_EQ(count(svg, "stroke:rgb(87.8"), inverted);
         EXPECT_GE(red_shapes(svg), inverted + swatch);

@@ -161,13 +161,13 @@ Option CommandLine::add_flag(const std::string& names, bool& value, const std::s
 
 void CommandLine::add_from(std::string& from)
 {
-    add("--from", from, "Format of the input, when its extension does not tell: " + format_names())
+    add("--from", from, "Format of the input, when its extension does not say: " + format_names())
         .type_name("NAME");
 }
 
 void CommandLine::add_to(std::string& to)
 {
-    add("--to", to, "Format of the output, when its extension does not tell").type_name("NAME");
+    add("--to", to, "Format of the output, when its extension does not say").type_name("NAME");
 }
 
 bool CommandLine::parse(int argc, char** argv)

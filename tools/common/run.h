@@ -6,7 +6,7 @@
 
 namespace morph::tools {
 
-/// What the shell is told.
+/// What the shell gets.
 enum ExitStatus : int {
     kDone = 0,
     kFailed = 1,     ///< bad input or a failure; nothing was written

@@ -118,7 +118,7 @@ void describe_control(const ControlOutcome& control, Report& report)
         describe_constraints(*control.constrained, report);
 }
 
-/// At most 4 digits, and not above the value: a step that is told must be safe.
+/// At most 4 digits, and not above the value: a step that is reported must be safe.
 double rounded_down(double value)
 {
     if (value <= 0)
@@ -159,7 +159,7 @@ void describe_remeshed(const RemeshedPart& part, Report& report)
     report.json["remeshed"] = {{"elements", part.elements},
                                {"vertices_before", part.vertices_before},
                                {"vertices_after", part.vertices_after}};
-    report.say("remeshed: " + std::to_string(part.elements) + " elements made anew, " +
+    report.say("remeshed: " + std::to_string(part.elements) + " elements remeshed, " +
                std::to_string(part.vertices_before) + " vertices before, " +
                std::to_string(part.vertices_after) + " after");
 }
@@ -192,10 +192,10 @@ void describe_checks(const MoveResult& moved, Report& report)
 std::string advice(const MoveResult& moved, Guard guard)
 {
     if (!moved.crossings.empty())
-        return "no position of the others can mend it while the boundary crosses itself";
+        return "no position of the others can repair it while the boundary crosses itself";
     if (moved.untangled && !moved.untangled->unrepairable.empty())
         return "element " + std::to_string(moved.untangled->unrepairable[0]) +
-               " has all its vertices on the boundary, so that no position of the others can mend it" +
+               " has all its vertices on the boundary, so that no position of the others can repair it" +
                (guard == Guard::remesh ? "" : "; try guard = \"remesh\"");
     if (moved.untangled)
         return "try steps = \"auto\" with rotations = true, or a smaller move";
@@ -238,7 +238,7 @@ std::vector<std::string> repairs(const DeformRun& run)
         found.push_back(run.output + ": " + warning);
     if (run.moved.remeshed)
         found.push_back(run.output + ": " + std::to_string(run.moved.remeshed->elements) +
-                        " elements were made anew: numbers of vertices and elements differ from those of the "
+                        " elements were remeshed: numbers of vertices and elements differ from those of the "
                         "mesh before the move there");
     return found;
 }

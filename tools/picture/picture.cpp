@@ -95,7 +95,7 @@ void require_zoom_shows_something(const Box& zoom, const Box& domain)
 }
 
 /// Around the element with the smallest scaled Jacobian: of the last scene with inverted ones, or, when even
-/// a valid one is wanted, of the last scene.
+/// the last scene must be valid.
 std::optional<Box> worst_spot(const std::vector<Scene>& scenes, bool even_valid)
 {
     auto scene =

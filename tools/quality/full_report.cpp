@@ -123,7 +123,7 @@ std::string change_text(const WallPlace& change, double factor, const char* unit
 
 void say_wall(const WallQuality& wall, Report& report)
 {
-    report.say("beside " + wall.marker + ": first cells " + short_number(wall.height.min) + " to " +
+    report.say("next to " + wall.marker + ": first cells " + short_number(wall.height.min) + " to " +
                short_number(wall.height.max) + " high, mean " + short_number(wall.height.mean) + "; " +
                short_number(wall.angle.min) + " to " + short_number(wall.angle.max) +
                " degrees off the normal, mean " + short_number(wall.angle.mean));

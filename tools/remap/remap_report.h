@@ -25,7 +25,7 @@ struct RemapSeconds {
     double write = 0;
 };
 
-/// What morph-remap tells of a run.
+/// What morph-remap reports of a run.
 struct RemapResult {
     std::string source;
     std::string target;

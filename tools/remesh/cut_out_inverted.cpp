@@ -32,14 +32,15 @@ Mesh without_inverted(const Mesh& mesh, const std::string& name, Report& report)
     const std::vector<Index> inverted = inverted_elements(mesh, points(mesh));
     if (inverted.empty())
         return mesh;
-    const Retriangulated anew = retriangulated(mesh, all_but(mesh, inverted, kRings), name);
-    report.json["cut_out"] = {{"inverted", inverted.size()},
-                              {"elements", anew.cut_out},
-                              {"vertices_left_out", mesh.numbering.file_vertices - anew.data.points.rows()}};
+    const Retriangulated remeshed = retriangulated(mesh, all_but(mesh, inverted, kRings), name);
+    report.json["cut_out"] = {
+        {"inverted", inverted.size()},
+        {"elements", remeshed.cut_out},
+        {"vertices_left_out", mesh.numbering.file_vertices - remeshed.data.points.rows()}};
     report.say(std::to_string(inverted.size()) + " inverted elements were cut out, with " +
-               std::to_string(anew.cut_out - static_cast<Index>(inverted.size())) +
-               " around them, and meshed anew");
-    return build_mesh(anew.data);
+               std::to_string(remeshed.cut_out - static_cast<Index>(inverted.size())) +
+               " around them, and remeshed");
+    return build_mesh(remeshed.data);
 }
 
 } // namespace morph::tools

@@ -7,7 +7,7 @@
 
 namespace morph::tools {
 
-/// The mesh; where it is planar and has inverted elements, with these and two rings around them meshed anew.
+/// The mesh; where it is planar and has inverted elements, with these and two rings around them remeshed.
 /// That is said and reported then.
 /// @param name  of its file, for errors
 /// @throws InputError  as retriangulate()

@@ -86,7 +86,7 @@ bool is_held(const Mesh& mesh, Index vertex)
     return false;
 }
 
-/// Why an edge does not have the length wanted, as far as that is known.
+/// Why an edge does not have the target length, as far as that is known.
 std::string reason_of(const Mesh& mesh, const SizeConformity& found, const RemeshWishes& wishes)
 {
     constexpr double kShort = 0.7;
@@ -114,7 +114,7 @@ void describe_count(const Mesh& mesh, Index wanted, Report& report)
     const auto count = static_cast<double>(vertex_count(mesh));
     if (wanted == 0 || std::abs(count / wanted - 1) <= kNear)
         return;
-    report.say("  " + std::to_string(wanted) + " vertices were wanted: " +
+    report.say("  " + std::to_string(wanted) + " vertices were asked for: " +
                (count > wanted ? "boundaries, corners and kept elements ask for more"
                                : "sizes cannot be lowered that evenly"));
 }
@@ -128,11 +128,11 @@ void describe_sizes(const Mesh& mesh, const RemeshWishes& wishes, Report& report
     report.json["size_conformity"] = found.share;
     report.json["possible_size_conformity"] = of_possible;
     report.say(
-        "  " + short_number(100 * found.share) + " % of the edges have 0.7 to 1.4 times the length wanted" +
+        "  " + short_number(100 * found.share) + " % of the edges have 0.7 to 1.4 times the target length" +
         (of_possible > found.share
              ? ", " + short_number(100 * of_possible) + " % of them what boundaries and kept elements allow"
              : ""));
-    if (found.worst[0] < 0) // all are exactly as wanted
+    if (found.worst[0] < 0) // all have exactly the target length
         return;
     const auto place = points(mesh);
     const nlohmann::ordered_json at =

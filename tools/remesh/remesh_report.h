@@ -9,9 +9,9 @@ namespace morph::tools {
 
 /// What was wished for a mesh, at its n vertices.
 struct RemeshWishes {
-    Eigen::VectorXd sizes;    ///< edge lengths wanted
+    Eigen::VectorXd sizes;    ///< target edge lengths
     Eigen::VectorXd possible; ///< what curved boundaries and kept elements leave of them
-    Index vertices = 0;       ///< number wanted; 0: any
+    Index vertices = 0;       ///< target number; 0: any
 };
 
 /// Say and report what became of a mesh: counts, quality before and after, how well wishes were met, how far

@@ -7,11 +7,11 @@ namespace morph::tools {
 void add_size_options(CommandLine& line, SizeSettings& options)
 {
     const Option size = line.add("--size", options.size,
-                                 "Edge length wanted everywhere; with --curvature or --adapt the largest")
+                                 "Target edge length everywhere; with --curvature or --adapt the largest")
                             .positive()
                             .type_name("H");
     const Option field = line.add("--size-field", options.size_field,
-                                  "Nodal field of IN with the edge lengths wanted (default: those IN has)")
+                                  "Nodal field of IN with the target edge lengths (default: those IN has)")
                              .excludes(size)
                              .type_name("NAME");
     const Option curvature =
@@ -27,7 +27,7 @@ void add_size_options(CommandLine& line, SizeSettings& options)
         .excludes(field)
         .excludes(curvature)
         .type_name("NAME");
-    line.add("--scale", options.scale, "Factor on the edge lengths wanted").show_default().positive();
+    line.add("--scale", options.scale, "Factor on the target edge lengths").show_default().positive();
     line.add("--vertices", options.vertices, "Scale them further, to about this many vertices")
         .range(3, 100000000)
         .type_name("N");

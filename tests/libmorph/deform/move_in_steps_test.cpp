@@ -26,7 +26,7 @@ Mesh ring()
     return build_mesh(test::uneven_annulus(0.5, 3, 60));
 }
 
-/// Where the held vertices are wanted, n x 3 rows of the others as they are.
+/// Targets of the held vertices, n x 3 rows of the others as they are.
 double landing_error(const Mesh& moved, const Mesh& start, const DirichletBoundary& held,
                      const Matrix& displacement)
 {

@@ -125,7 +125,7 @@ TEST(PullPoints, RefusesWhatDoesNotFit)
     EXPECT_THAT(test::message_of([&] { pull_points(points, wanted, Matrix::Zero(4, 2)); }),
                 HasSubstr("the displacements are 4 x 2, but the weights are for 3 control points"));
     EXPECT_THAT(test::message_of([&] { pull_points(points, Matrix::Zero(2, 3), given); }),
-                HasSubstr("the wanted displacements are 2 x 3, but there are 2 points in 2 dimensions"));
+                HasSubstr("the requested displacements are 2 x 3, but there are 2 points in 2 dimensions"));
     EXPECT_THAT(test::message_of([&] { pull_points(points, wanted, given, {3}); }),
                 HasSubstr("control point 3 is held, but there are 3"));
     EXPECT_THAT(test::message_of([&] { pull_points(points, wanted * (0.0 / 0.0), given); }),

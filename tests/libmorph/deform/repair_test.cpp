@@ -16,7 +16,7 @@ using namespace morph;
 using test::boundary_displacement;
 using test::dirichlet_boundary;
 
-/// The mesh with its inner boundary turned and nothing else moved: elements beside it are inverted.
+/// The mesh with its inner boundary turned and nothing else moved: elements next to it are inverted.
 Mesh left_behind(const Mesh& start, const DirichletBoundary& held, const Matrix& displacement)
 {
     Mesh mesh = start;

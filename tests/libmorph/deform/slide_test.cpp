@@ -104,7 +104,7 @@ TEST(Sliding, NodesThatWouldPassEachOtherSlideLess)
         return all;
     };
     const std::vector<Index> bottom = marker_vertices(marker(mesh, "bottom"));
-    std::vector<std::pair<double, double>> along; // x before and after, as the last call is told
+    std::vector<std::pair<double, double>> along; // x before and after, as the last call gets them
     const BoundaryMove watched = [&](const Mesh& of, const DirichletBoundary& boundary,
                                      const Matrix& displacement) {
         along.clear();

@@ -22,7 +22,7 @@ PlanePoint point(const Mesh& mesh, Index v)
 
 using Edge = std::array<Index, 2>;
 
-/// The triangles beside each edge and the corners opposite to it, found without the neighbour links.
+/// The triangles next to each edge and the corners opposite to it, found without the neighbour links.
 std::map<Edge, std::vector<std::array<Index, 2>>> sides(const Triangulation& triangulation)
 {
     std::map<Edge, std::vector<std::array<Index, 2>>> found;

@@ -83,7 +83,7 @@ TEST(MisplacedLoop, NamesTheHoleThatHasLeftItsDomain)
 
 TEST(MisplacedLoop, HolesMayTouchInAVertex)
 {
-    // Two triangles on either side of their common corner: beside each other, and one below the other.
+    // Two triangles on either side of their common corner: side by side, and one below the other.
     for (const bool upright : {false, true}) {
         Points points(10, 3);
         points << -9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0, //

@@ -136,12 +136,12 @@ TEST(NearestPoints, RefusesWhatHasNoNearest)
               "the number of neighbours is 0, but at least 1 was expected");
     Points far = Points::Constant(1, 3, 1e200);
     EXPECT_EQ(test::message_of([&] { nearest(points, far, 1); }),
-              "point 0 is not finite, or too far from the others to tell which are near");
+              "point 0 is not finite, or too far from the others to decide which are near");
     for (int c = 0; c < 3; ++c) {
         Points query = Points::Zero(2, 3);
         query(1, c) = NAN;
         EXPECT_EQ(test::message_of([&] { nearest(points, query, 1); }),
-                  "point 1 is not finite, or too far from the others to tell which are near");
+                  "point 1 is not finite, or too far from the others to decide which are near");
     }
     points(1, 2) = INFINITY;
     EXPECT_EQ(test::message_of([&] { NearestPoints{points}; }),

@@ -19,7 +19,7 @@ namespace morph {
 
 namespace {
 
-/// A tetrahedron's surface beside a quad with a triangle on its side: a surface in space of two parts.
+/// A tetrahedron's surface next to a quad with a triangle on its side: a surface in space of two parts.
 MeshData small_surface()
 {
     MeshData data;
@@ -84,7 +84,7 @@ Connectivity connectivity(const Mesh& mesh)
         [&](Index f) { return mesh.numbering.element[static_cast<std::size_t>(f)]; });
 }
 
-/// What OpenMesh's own incremental construction makes of elements that need no mending.
+/// What OpenMesh's own incremental construction makes of elements that need no repair.
 Connectivity connectivity_by_add_face(const MeshData& data)
 {
     Kernel kernel;

@@ -64,7 +64,7 @@ TEST(MergeVertices, WhatCollapsesGoesWithItsRowsAndIsCounted)
 {
     MeshData mesh = points_at({0, 1, 1, 0, 0});
     mesh.points(2, 1) = mesh.points(3, 1) = 1;
-    mesh.points(4, 1) = 1e-9; // beside vertex 0
+    mesh.points(4, 1) = 1e-9; // next to vertex 0
     mesh.elements = {{0, 1, 2, 3}, {0, 3, 4, -1}, {0, 1, 3, 4}};
     mesh.markers = {{"wall", {{0, 4}, {0, 1}}}};
     mesh.groups = {{"all", {0, 1, 2}}};

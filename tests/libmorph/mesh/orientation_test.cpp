@@ -111,7 +111,7 @@ TEST(Orientation, DoesNotTurnAnElementThatIsInvertedByItsCoordinates)
     EXPECT_THAT(turned_elements(mesh), testing::IsEmpty());
     EXPECT_GT(count_of_sign(mesh, -1), 0U);
 
-    list_backwards(data, 0); // the tangle is told from a way of listing when both are there
+    list_backwards(data, 0); // the tangle is distinguished from an order of listing when both are there
     EXPECT_THAT(turned_elements(build_mesh(data)), testing::ElementsAre(0));
     test::turn_some(data, 1, 1);
     EXPECT_EQ(count_of_sign(build_mesh(data), -1), count_of_sign(mesh, -1));

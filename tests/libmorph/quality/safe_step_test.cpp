@@ -178,7 +178,7 @@ TEST(SafeStep, IsNothingWhenAnElementIsInvertedBefore)
     before.row(element_corners(mesh, 7)[0]) = Eigen::RowVector3d(5, 5, 0);
     const QualityReport report = quality_report(mesh, before);
     ASSERT_GT(report.inverted, 0);
-    const SafeStep safe = safe_step(mesh, before, points(mesh)); // though the move mends it
+    const SafeStep safe = safe_step(mesh, before, points(mesh)); // though the move repairs it
     EXPECT_EQ(safe.step, 0);
     EXPECT_EQ(safe.element, report.inverted_elements.front());
 }

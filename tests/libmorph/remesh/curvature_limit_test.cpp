@@ -54,7 +54,7 @@ TEST(CurveLimit, AHoleATwoThousandthOfTheBoxStaysRoundWhenEdgesAreAsked200TimesA
     EXPECT_EQ(quality_report(made).inverted, 0);
     const std::vector<double> quality = triangle_qualities(made);
     EXPECT_GT(*std::min_element(quality.begin(), quality.end()), 0.5);
-    // 30 degrees an edge, which may be 1.4 times as long as wanted.
+    // 30 degrees an edge, which may be 1.4 times as long as the target.
     const Marker& hole = *find_marker(data.markers, "hole");
     EXPECT_LT(largest_turn(data, hole), 1.4 * 30);
     EXPECT_LT(hole.edges.size(), 40U * 2 / 3); // it was coarsened as far as that allows

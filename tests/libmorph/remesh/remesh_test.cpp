@@ -109,7 +109,7 @@ TEST(Remesh, NamesTheVertexWhoseSizeIsNotPositive)
     sizes[5] = -1;
     EXPECT_EQ(test::message_of([&] { remesh(mesh, sizes); }),
               "vertex " + std::to_string(mesh.numbering.vertex[5]) +
-                  " has the wanted size -1, but it has to be positive");
+                  " has the target size -1, but it has to be positive");
 }
 
 } // namespace

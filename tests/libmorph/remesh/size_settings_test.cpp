@@ -98,7 +98,7 @@ TEST(SizeSettings, NameFieldAndVertexOfASizeThatIsNotPositive)
         data.fields[0].values(17, 0) = data.fields[0].values(5, 0) = bad;
         const Mesh mesh = build_mesh(data);
         const std::string expected =
-            std::string("field 'h': vertex 5 has the wanted size ") + number + ", but it has to be positive";
+            std::string("field 'h': vertex 5 has the target size ") + number + ", but it has to be positive";
         EXPECT_EQ(message_of([&] { target_sizes(mesh, {.size_field = "h"}); }), expected);
         EXPECT_EQ(message_of([&] { target_sizes(mesh, {.size_field = "h"}, {}, "in.vtu: "); }),
                   "in.vtu: " + expected);

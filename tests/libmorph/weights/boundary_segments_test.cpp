@@ -67,9 +67,9 @@ TEST(NearestOnSegments, FindsTheNearestPointAndTheValueThere)
         EXPECT_NEAR(point.distance, distance, 1e-15);
         EXPECT_NEAR(point.value(values)[0], value, 1e-14);
     };
-    expect(0.5, -1, 1, 12.5); // beside the first edge
+    expect(0.5, -1, 1, 12.5); // next to the first edge
     expect(-3, 4, 5, 10);     // beyond its end
-    expect(3, 1.5, 1, 35);    // beside the second
+    expect(3, 1.5, 1, 35);    // next to the second
     expect(5, 8, 3, 7);       // near the lone vertex
     expect(2, 0, 0, 20);      // on a vertex
 }
