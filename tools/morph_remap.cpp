@@ -171,7 +171,7 @@ void warn_of_outside(const RemapResult& result)
 }
 
 /// Carries the fields and adds them, and where the targets lie, to the target.
-void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult& result)
+void transfer(const Mesh& source, Mesh& target, const Options& options, RemapResult& result)
 {
     Stopwatch watch;
     const std::vector<const Field*> fields = chosen_fields(source, options);
@@ -189,14 +189,14 @@ void carry(const Mesh& source, Mesh& target, const Options& options, RemapResult
     if (to_elements)
         result.elements = count_targets(remapper.locations(FieldLocation::element), target.numbering.element);
     result.seconds.locate = watch.lap();
-    std::vector<Field> carried = remapper.carry(fields);
+    std::vector<Field> transferred = remapper.transfer(fields);
     result.nodal_conservation = remapper.conservation(FieldLocation::vertex);
     result.element_conservation = remapper.conservation(FieldLocation::element);
     result.seconds.interpolate = watch.lap();
     for (std::size_t i = 0; i < fields.size(); ++i)
-        result.fields.push_back({carried[i].name, carried[i].location, field_totals(source, *fields[i]),
-                                 field_totals(target, carried[i])});
-    for (Field& field : carried)
+        result.fields.push_back({transferred[i].name, transferred[i].location,
+                                 field_totals(source, *fields[i]), field_totals(target, transferred[i])});
+    for (Field& field : transferred)
         set_field(target.fields, std::move(field));
     set_field(target.fields, {kStatus, FieldLocation::vertex, target_status(targets)});
     if (tells_distance(source, settings))
@@ -208,7 +208,7 @@ int remap(int argc, char** argv)
     Options options;
     CommandLine line(
         kTool,
-        "Carries fields from one mesh to another: interpolated where a target lies in an element of\n"
+        "Transfers fields from one mesh to another: interpolated where a target lies in an element of\n"
         "the source, by --outside where it lies in none.",
         "  morph-remap coarse.su2 fine.su2 --source-fields restart_flow.csv -o restart_fine.csv\n"
         "writes the flow of the coarse mesh as a restart file for the fine one.");
@@ -227,7 +227,7 @@ int remap(int argc, char** argv)
     const Mesh source = load_source(options);
     Mesh target = read_mesh(options.target, options.from_target);
     result.seconds.read = watch.lap();
-    carry(source, target, options, result);
+    transfer(source, target, options, result);
     watch.lap();
     warn_of_outside(result);
     OutputFiles outputs;

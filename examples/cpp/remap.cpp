@@ -19,7 +19,7 @@ int main(int, char** argv)
     const morph::Locator locator(source);
     morph::Remapper remapper(locator, target);
     const std::vector<const morph::Field*> fields{&field};
-    target.fields = remapper.carry(fields);
+    target.fields = remapper.transfer(fields);
     std::cout << morph::vertex_count(source) << " vertices to " << morph::vertex_count(target) << '\n';
     morph::write_mesh(target, argv[2]);
 }

@@ -18,7 +18,7 @@ struct Su2FfdBox {
     Points control_points;       ///< N x 3, i fastest, then j, then k
 };
 
-/// The boxes in what an SU2 file carries besides its mesh:
+/// The boxes in the opaque sections of an SU2 file:
 /// https://su2code.github.io/docs_v7/Mesh-Deformation/.
 ///
 /// A file that was set up but never run through SU2_DEF has corner points only; the control points are then

@@ -9,7 +9,7 @@ namespace morph {
 /// held where the move put it.
 ///
 /// Whether the search ends in a valid mesh depends on where it starts. Where it does not from the mesh as it
-/// was moved, and nothing proves that there is none, it starts again from the boundary's move carried into
+/// was moved, and nothing proves that there is none, it starts again from the boundary's move extended into
 /// the mesh by conformal_biharmonic_extension(), and then from what repair_in_steps() comes to; the best end
 /// counts.
 ///

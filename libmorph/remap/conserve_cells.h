@@ -5,7 +5,7 @@
 
 namespace morph {
 
-/// Carry element values from one planar mesh to another so that their integral is preserved.
+/// Transfer element values from one planar mesh to another so that their integral is preserved.
 ///
 /// First order: values are constant in each element. An element T of the target gets the mean of the source
 /// over what the source covers of it, sum_S |T n S| f_S / sum_S |T n S| [Grandy 1999, Journal of

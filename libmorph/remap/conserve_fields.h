@@ -23,7 +23,7 @@ struct Conservation {
     std::vector<Integrals> fields;
 };
 
-/// Fields of one location carried together, see conserve_cells() and conserve_nodes().
+/// Fields of one location transferred together, see conserve_cells() and conserve_nodes().
 struct ConservedFields {
     std::vector<Matrix> values;   ///< for each field, rows of the target
     std::vector<Index> uncovered; ///< rows to be filled from elsewhere, ascending

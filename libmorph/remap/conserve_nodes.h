@@ -5,7 +5,7 @@
 
 namespace morph {
 
-/// Carry nodal values from one planar mesh to another so that their integral is preserved.
+/// Transfer nodal values from one planar mesh to another so that their integral is preserved.
 ///
 /// The consistent L2 (Galerkin) projection on the region common to both meshes [Farrell, Piggott, Pain,
 /// Gorman & Wilson 2009, Computer Methods in Applied Mechanics and Engineering 198, 2632-2642]: of all fields

@@ -144,15 +144,15 @@ Outside Remapper::outside() const
     return settings_.outside.value_or(source_.source().dimension == 2 ? Outside::idw : Outside::project);
 }
 
-std::vector<Field> Remapper::carry(std::span<const Field* const> fields)
+std::vector<Field> Remapper::transfer(std::span<const Field* const> fields)
 {
-    std::vector<Field> carried;
+    std::vector<Field> transferred;
     for (const Field* field : fields) {
         require_finite(source_.source(), *field);
-        if (find_field(carried, field->name, place_of(*field)) != nullptr)
+        if (find_field(transferred, field->name, place_of(*field)) != nullptr)
             throw InputError("the source has a nodal and an element field '" + field->name +
                              "', but a target without elements has room for one of them");
-        carried.push_back({field->name, place_of(*field), {}});
+        transferred.push_back({field->name, place_of(*field), {}});
     }
     for (const FieldLocation location : {FieldLocation::vertex, FieldLocation::element}) {
         std::vector<const Field*> here;
@@ -163,11 +163,11 @@ std::vector<Field> Remapper::carry(std::span<const Field* const> fields)
             continue;
         std::vector<Matrix> values = values_at(location, here);
         auto next = values.begin();
-        for (Field& field : carried)
+        for (Field& field : transferred)
             if (field.location == location)
                 field.values = std::move(*next++);
     }
-    return carried;
+    return transferred;
 }
 
 const std::optional<Conservation>& Remapper::conservation(FieldLocation location) const

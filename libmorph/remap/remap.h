@@ -37,7 +37,7 @@ struct RemapSettings {
     bool conserve_elements = false; ///< keep those of element fields instead of sampling at centres
 };
 
-/// Carries fields from one mesh to another. It keeps where the targets lie, so that further fields cost the
+/// Transfers fields from one mesh to another. It keeps where the targets lie, so that further fields cost the
 /// interpolation only.
 ///
 /// Nodal fields go to the vertices of the target and element fields to its elements, which take the value of
@@ -56,9 +56,9 @@ public:
     /// source;
     ///                     targets lie outside and settings.outside is fail; one name for a nodal and an
     ///                     element field, and the target has no elements
-    std::vector<Field> carry(std::span<const Field* const> fields);
+    std::vector<Field> transfer(std::span<const Field* const> fields);
 
-    /// What came of keeping integrals in the last carry(), for the fields of that location.
+    /// What came of keeping integrals in the last transfer(), for the fields of that location.
     const std::optional<Conservation>& conservation(FieldLocation location) const;
 
     /// Where the vertices or the element centres of the target lie. Found when first asked for.

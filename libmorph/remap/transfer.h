@@ -6,7 +6,7 @@
 
 namespace morph {
 
-/// Values carried conservatively to a target, and how much of it the source covers.
+/// Values transferred conservatively to a target, and how much of it the source covers.
 struct Transfer {
     Matrix values; ///< one row for each element or vertex of the target; 0 where nothing covers it
     std::vector<double> covered; ///< of each of them: of an element the area that the source covers, of a

@@ -77,7 +77,7 @@ std::vector<ElementGroup> transferred_groups(const Locator& old, const GroupRegi
     settings.outside = Outside::project;
     settings.conserve_elements = false; // the region at the centre, not a mean
     const std::array<const Field*, 1> fields{&regions.region};
-    const GroupRegions carried{Remapper(old, mesh, settings).carry(fields).front(), regions.groups};
+    const GroupRegions carried{Remapper(old, mesh, settings).transfer(fields).front(), regions.groups};
     std::vector<ElementGroup> groups;
     for (const ElementGroup& group : old.source().groups)
         groups.push_back({group.name, {}});

@@ -58,8 +58,8 @@ public:
             }
             result_.data.markers.push_back(std::move(marker));
         }
-        if (settings_.carry)
-            carry();
+        if (settings_.transfer)
+            transfer();
         return std::move(result_);
     }
 
@@ -117,7 +117,7 @@ private:
         }
     }
 
-    void carry()
+    void transfer()
     {
         find_sources();
         for (const ElementGroup& group : old_.groups) {

@@ -8,7 +8,7 @@ namespace morph {
 
 struct RetriangulateSettings {
     bool inner_vertices = true; ///< false: only those of the outline and of markers are used
-    bool carry = true;          ///< groups and fields come along
+    bool transfer = true;       ///< groups and fields are transferred
     const Points* shape =
         nullptr; ///< n x 3: where old and new elements are compared; null: where the mesh is
 };

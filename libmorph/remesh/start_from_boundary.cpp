@@ -34,7 +34,7 @@ Outline outline_of(const Mesh& mesh, const std::vector<bool>& kept)
 {
     RetriangulateSettings settings;
     settings.inner_vertices = false;
-    settings.carry = false;
+    settings.transfer = false;
     const Retriangulated bare = retriangulate(mesh, kept, settings);
     Outline outline{build_mesh(bare.data), {}, {}};
     for (const Index element : outline.mesh.numbering.element)

@@ -14,7 +14,7 @@ std::vector<Field> transferred_fields(const Locator& locator, const Mesh& mesh,
     RemapSettings settings;
     settings.outside = Outside::project;
     settings.conserve_elements = locator.source().dimension == 2; // in space elements do not overlap: sampled
-    return Remapper(locator, mesh, settings).carry(list);
+    return Remapper(locator, mesh, settings).transfer(list);
 }
 
 } // namespace morph

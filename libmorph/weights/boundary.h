@@ -12,13 +12,13 @@
 
 namespace morph {
 
-/// A curve and the marker it carries.
+/// A curve and the marker that follows it.
 struct NamedCurve {
     std::string marker;
     Curve curve;
 };
 
-/// A marker of the mesh and the curve that carries it; each node has its parameter.
+/// A marker of the mesh and the curve it follows; each node has its parameter.
 struct CurveBoundary {
     std::string name; ///< of the marker
     Curve curve;
@@ -50,7 +50,7 @@ struct SharedVertex {
 struct BoundaryConditions {
     std::vector<ControlPoint> columns; ///< K: those of the first boundary, then of the second, ...
     std::vector<Index> first_column;   ///< of each boundary
-    DirichletBoundary boundary;        ///< markers that curves carry move, fixed ones stay
+    DirichletBoundary boundary;        ///< markers that follow curves move, fixed ones stay
     Matrix values; ///< k x K, row i belongs to boundary.vertices[i]: basis functions, 0 on the fixed markers
     std::vector<SharedVertex> shared;
     Index unmarked = 0; ///< vertices of the boundary in no marker; they are held too
@@ -70,7 +70,7 @@ struct BoundaryConditions {
 BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<CurveBoundary>& boundaries,
                                        const std::vector<std::string>& fixed);
 
-/// The same in one call: each curve carries its marker, every other marker is fixed.
+/// The same in one call: each marker follows its curve, every other marker is fixed.
 /// @throws InputError  as parametrize_marker()
 BoundaryConditions boundary_conditions(const Mesh& mesh, const std::vector<NamedCurve>& curves);
 

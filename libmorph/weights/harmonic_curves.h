@@ -7,7 +7,7 @@
 
 namespace morph {
 
-/// Harmonic weights of control points in one call: each curve carries its marker, every other marker is
+/// Harmonic weights of control points in one call: each marker follows its curve, every other marker is
 /// held fixed.
 ///
 /// For other methods, and for more say in what is fixed, see boundary_conditions() and extended_weights().

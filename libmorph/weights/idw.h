@@ -26,7 +26,7 @@ double default_reach(const DomainView& domain);
 ///     w_i(x) = A_i ((L_def / r_i)^a + (alpha L_def / r_i)^b),   r_i = |x - x_i|,
 ///
 /// where A_i is half the length of the boundary edges at held vertex i. Every value is a mean of held ones,
-/// so that bounds and constants are kept. With extend_with_rotations() each point of the boundary carries its
+/// so that bounds and constants are kept. With extend_with_rotations() each point of the boundary has its
 /// frame along as in that article; angles are blended where the article blends matrices.
 ///
 /// Each vertex sums over the whole boundary: n k terms, in blocks on every core, so that twice as fine a mesh

@@ -9,7 +9,7 @@ namespace morph {
 /// Radial functions phi(q), q = distance / support radius.
 ///
 /// Those of Wendland [1995, Advances in Computational Mathematics 4, 389-396] are positive definite in the
-/// plane and in space and 0 from q = 1 on. The smoother one is, the better it carries smooth moves, and the
+/// plane and in space and 0 from q = 1 on. The smoother one is, the better it reproduces smooth moves, and the
 /// worse conditioned are its systems: the smallest eigenvalue falls with the spacing of the centres to the
 /// power 1, 3 and 5.
 enum class RadialFunction {

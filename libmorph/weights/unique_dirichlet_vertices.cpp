@@ -11,7 +11,7 @@ namespace {
 void require_valid(const DomainView& domain, const DirichletBoundary& boundary)
 {
     if (domain.dimension() != 2)
-        throw InputError("boundary values are carried into planar meshes, but this is a surface in space");
+        throw InputError("boundary values are extended into planar meshes, but this is a surface in space");
     const Index n = domain.vertex_count();
     const auto require_vertex = [n](Index v, const char* what) {
         if (v < 0 || v >= n)
@@ -93,7 +93,7 @@ void UniqueDirichletVertices::restore(const Matrix& joined, Matrix& result) cons
         if (const Index first = representative_[v]; first != static_cast<Index>(v))
             result.row(static_cast<Index>(v)) = result.row(first);
     if (!result.allFinite())
-        throw SolverError("the values carried into the mesh are not finite");
+        throw SolverError("the values extended into the mesh are not finite");
 }
 
 } // namespace morph

@@ -11,7 +11,7 @@
 namespace morph::tools {
 
 /// What a mesh file holds: format and version, counts by type, bounding box, markers and groups with sizes,
-/// fields with ranges, what else is carried.
+/// fields with ranges, what other sections it has.
 nlohmann::ordered_json file_info(const std::string& path, const Format& format, const MeshData& mesh,
                                  const ReadNotes& notes);
 

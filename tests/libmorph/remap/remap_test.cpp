@@ -55,7 +55,7 @@ Matrix carried(const Mesh& source, const Field& field, const Mesh& target, const
     const Locator locator(source);
     const std::vector<const Field*> fields{&field};
     Mesh result = target;
-    result.fields = Remapper(locator, target, settings).carry(fields);
+    result.fields = Remapper(locator, target, settings).transfer(fields);
     return to_mesh_data(result).fields[0].values;
 }
 
@@ -125,7 +125,7 @@ TEST(Remapper, GivesPointsTheValueOfTheElementTheyLieIn)
     for (const Outside rule : {Outside::idw, Outside::nearest, Outside::project}) {
         RemapSettings settings;
         settings.outside = rule;
-        const std::vector<Field> result = Remapper(locator, target, settings).carry(fields);
+        const std::vector<Field> result = Remapper(locator, target, settings).transfer(fields);
         EXPECT_EQ(result[0].location, FieldLocation::vertex);
         EXPECT_EQ(result[0].values, Matrix::Constant(2, 1, 7));
     }
@@ -141,7 +141,7 @@ TEST(Remapper, KeepsEveryBitOnTheSameMesh)
             field.values.data()[i] = std::ldexp(static_cast<double>(random()), -64) - 0.5;
         const Locator locator(mesh);
         const std::vector<const Field*> fields{&field};
-        const Field result = Remapper(locator, mesh).carry(fields)[0];
+        const Field result = Remapper(locator, mesh).transfer(fields)[0];
         EXPECT_EQ(std::memcmp(result.values.data(), field.values.data(),
                               sizeof(double) * static_cast<std::size_t>(field.values.size())),
                   0);
@@ -226,7 +226,7 @@ TEST(Remapper, ProjectsOnSurfacesAtSecondOrderAndTellsTheDistance)
         const Field field = height(source);
         const std::vector<const Field*> fields{&field};
         Remapper remapper(locator, target);
-        const Matrix values = remapper.carry(fields)[0].values;
+        const Matrix values = remapper.transfer(fields)[0].values;
         errors.push_back((values - points(target).col(2)).cwiseAbs().maxCoeff());
         const TargetLocations& targets = remapper.locations(FieldLocation::vertex);
         EXPECT_TRUE(targets.outside.empty());
@@ -251,7 +251,7 @@ TEST(Remapper, OnAnOpenSurfaceCountsWhatLiesBeyondTheRimAsOutside)
     const Field field = nodal(source, linear);
     const std::vector<const Field*> fields{&field};
     Mesh result = target;
-    result.fields = remapper.carry(fields);
+    result.fields = remapper.transfer(fields);
     const Matrix values = to_mesh_data(result).fields[0].values;
     EXPECT_NEAR(values(0, 0), linear(0.55, 0.5), 1e-14);
     EXPECT_NEAR(values(1, 0), linear(1, 0.5), 1e-14);
@@ -267,25 +267,25 @@ TEST(Remapper, SaysWhatCannotBeCarried)
         return message_of([&] { carried(source, field, target, settings); });
     };
     EXPECT_EQ(
-        carry(points_mesh({{2, 0, 0}, {3, 4, 0}})),
+        transfer(points_mesh({{2, 0, 0}, {3, 4, 0}})),
         "none of the 2 targets lies in the source: they span (2, 0) to (3, 4), the source (0, 0) to (1, 1)");
     RemapSettings fail;
     fail.outside = Outside::fail;
-    EXPECT_EQ(carry(points_mesh({{0.5, 0.5, 0}, {1.25, 0.5, 0}, {1.5, 0.5, 0}}), fail),
+    EXPECT_EQ(transfer(points_mesh({{0.5, 0.5, 0}, {1.25, 0.5, 0}, {1.5, 0.5, 0}}), fail),
               "2 of 3 targets lie outside the source, the farthest at (1.5, 0.5) by 0.5");
-    EXPECT_EQ(carry(points_mesh({{0.5, 0.5, 0}}), fail), "nothing was thrown");
-    EXPECT_EQ(carry(points_mesh({{0.5, 0.5, 1}})),
+    EXPECT_EQ(transfer(points_mesh({{0.5, 0.5, 0}}), fail), "nothing was thrown");
+    EXPECT_EQ(transfer(points_mesh({{0.5, 0.5, 1}})),
               "the source is planar, but the target lies in space: some of its z are not 0");
     RemapSettings conserve;
     conserve.conserve_nodal = true;
-    EXPECT_EQ(carry(points_mesh({{0.5, 0.5, 0}}), conserve),
+    EXPECT_EQ(transfer(points_mesh({{0.5, 0.5, 0}}), conserve),
               "integrals are kept between meshes, but the target has no elements");
     MeshData away = test::uneven_square(2);
     away.points.col(0).array() += 5;
-    EXPECT_EQ(carry(build_mesh(away), conserve), "source and target have no area in common");
+    EXPECT_EQ(transfer(build_mesh(away), conserve), "source and target have no area in common");
     field.values(4, 0) = NAN;
-    EXPECT_EQ(carry(source), "field 'p' of the source is not finite at vertex " +
-                                 std::to_string(source.numbering.vertex[4]));
+    EXPECT_EQ(transfer(source), "field 'p' of the source is not finite at vertex " +
+                                    std::to_string(source.numbering.vertex[4]));
 }
 
 TEST(Remapper, RefusesASourceWithoutElements)
