@@ -46,14 +46,14 @@ BoundaryFrames boundary_frames(const DomainView& domain, const DirichletBoundary
 
 /// Carry a boundary's displacement into the mesh together with its rotation.
 ///
-/// Angle theta and translation t of boundary_frames() are spread like any other values, and each vertex moves
+/// Angle theta and translation t of boundary_frames() are extended like any other values, and each vertex moves
 /// to
 ///
 ///     x' = x + t(x) + (R(theta(x)) - I) (x - p(x)),
 ///
 /// where p blends the pivots by how much of each body arrives at x. Near a body that moves rigidly the mesh
 /// moves rigidly with it, and what lies between bodies that move as one is carried along. The displacement
-/// itself, spread linearly, would shrink the mesh where rotations of different angle meet. Spreading
+/// itself, extended linearly, would shrink the mesh where rotations of different angle meet. Extending
 /// rotations of a boundary is due to Samareh [2002, NASA/TM-2002-211646], in the plane his quaternions are
 /// angles.
 ///
