@@ -153,7 +153,7 @@ private:
     BoundaryFrames frames_;
 };
 
-/// What is spread: angle, translation, how much of the bodies arrives, and that times their pivot.
+/// What is extended: angle, translation, how much of the bodies arrives, and that times their pivot.
 Matrix frame_values(const BoundaryFrames& frames, const Eigen::RowVector2d& centre)
 {
     Matrix values = Matrix::Zero(frames.translation.rows(), 6);

@@ -53,7 +53,7 @@ BoundaryFrames boundary_frames(const DomainView& domain, const DirichletBoundary
 ///
 /// where p blends the pivots by how much of each body arrives at x. Near a body that moves rigidly the mesh
 /// moves rigidly with it, and what lies between bodies that move as one is carried along. The displacement
-/// itself, extended linearly, would shrink the mesh where rotations of different angle meet. Spreading
+/// itself, extended linearly, would shrink the mesh where rotations of different angle meet. Extending
 /// rotations of a boundary is due to Samareh [2002, NASA/TM-2002-211646], in the plane his quaternions are
 /// angles.
 ///

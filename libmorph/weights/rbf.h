@@ -20,7 +20,7 @@ struct RbfOptions {
 /// Support radius of RbfOptions unless one is given: kSupportFactor times the diagonal of the box around all
 /// that moves, or the diagonal of the whole mesh when that is smaller or nothing moves.
 ///
-/// The farther the functions reach, the farther into the mesh a move reaches and the fewer elements it inverts, but
+/// The farther the functions reach, the farther out a move is felt and the fewer elements it inverts, but
 /// the worse conditioned the system is, by (reach / spacing)^3 for Wendland's C2. With this one airfoils in
 /// tests/data turn by 120 degrees in one step without an inverted element; with half of it they do not.
 double default_support(const DomainView& domain, const DirichletBoundary& boundary);
@@ -30,7 +30,7 @@ inline constexpr double kSupportFactor = 10;
 /// Computers and Structures 85, 784-795; Wendland 2004, Scattered Data Approximation].
 ///
 /// The matrix is dense: m^2 numbers and m^3 / 3 multiplications for m centres, which are kMostCentres at
-/// most; an extension costs n m evaluations, in blocks on every core. The fixed boundary counts, too. With more
+/// most; extend() costs n m evaluations, in blocks on every core. The fixed boundary counts, too. With more
 /// held vertices than that, or fewer centres for speed, take those of greedy_centres() in rbf_greedy.h.
 ///
 /// Held vertices that are no centres keep an error, and so do centres whose system is nearly singular. It is

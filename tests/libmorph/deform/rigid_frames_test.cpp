@@ -184,7 +184,7 @@ Matrix carried(const Mesh& mesh, const DirichletBoundary& held, const Matrix& di
     return extend_with_rotations(*extension, mesh, held, displacement);
 }
 
-TEST(SpreadWithRotations, IsExactOnTheBoundaryOfEveryRealMesh)
+TEST(ExtensionWithRotations, IsExactOnTheBoundaryOfEveryRealMesh)
 {
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
@@ -197,7 +197,7 @@ TEST(SpreadWithRotations, IsExactOnTheBoundaryOfEveryRealMesh)
     }
 }
 
-TEST(SpreadWithRotations, TurnsACircleInACircleByTheLogarithmOfTheRadius)
+TEST(ExtensionWithRotations, TurnsACircleInACircleByTheLogarithmOfTheRadius)
 {
     // theta(r) = theta0 ln(3 / r) / ln(3 / 0.5) solves Laplace's equation; nothing is shifted.
     constexpr double kAngle = 150 * kDegree;
@@ -218,7 +218,7 @@ TEST(SpreadWithRotations, TurnsACircleInACircleByTheLogarithmOfTheRadius)
     EXPECT_LT(error[1], 0.35 * error[0]); // second order: a quarter, and some slack
 }
 
-TEST(SpreadWithRotations, ARigidMoveOfSeveralBodiesTogetherMovesWhatLiesBetween)
+TEST(ExtensionWithRotations, ARigidMoveOfSeveralBodiesTogetherMovesWhatLiesBetween)
 {
     const Mesh mesh = build_mesh(mesh_domain(test::thesis_case(2)));
     ASSERT_EQ(mesh.markers.size(), 3);
@@ -230,7 +230,7 @@ TEST(SpreadWithRotations, ARigidMoveOfSeveralBodiesTogetherMovesWhatLiesBetween)
     EXPECT_LE(difference(moved, test::displacement_everywhere(mesh, move)), 40 * kSolveTol); // lengths to 40
 }
 
-TEST(SpreadWithRotations, AShiftArrivesAsWithoutRotations)
+TEST(ExtensionWithRotations, AShiftArrivesAsWithoutRotations)
 {
     const Mesh mesh = ring();
     const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
@@ -244,7 +244,7 @@ TEST(SpreadWithRotations, AShiftArrivesAsWithoutRotations)
               kSolveTol);
 }
 
-TEST(SpreadWithRotations, AirfoilsTurnByUpTo120DegreesWithoutInvertedElements)
+TEST(ExtensionWithRotations, AirfoilsTurnByUpTo120DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
@@ -261,7 +261,7 @@ TEST(SpreadWithRotations, AirfoilsTurnByUpTo120DegreesWithoutInvertedElements)
     }
 }
 
-TEST(SpreadWithRotations, AirfoilsBecomeThriceAsThickWithoutInvertedElements)
+TEST(ExtensionWithRotations, AirfoilsBecomeThriceAsThickWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         SCOPED_TRACE(file);
@@ -273,7 +273,7 @@ TEST(SpreadWithRotations, AirfoilsBecomeThriceAsThickWithoutInvertedElements)
     }
 }
 
-TEST(SpreadWithRotations, IsTheSameBytesForAnyNumberOfThreads)
+TEST(ExtensionWithRotations, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 3, 240)); // several blocks of vertices
     const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});

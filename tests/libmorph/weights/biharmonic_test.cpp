@@ -4,8 +4,8 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "tests/support/boundary_values.h"
 #include "tests/support/meshes.h"
-#include "tests/support/spreads.h"
 
 #include <gtest/gtest.h>
 
@@ -95,12 +95,12 @@ void expect_convergence(const Make& make, const Exact& exact)
     EXPECT_GE(std::log2(middle / fine), 1.8);
 }
 
-TEST(BiharmonicSpread, ConvergesToTheFunctionThatIsFlatAtBothCircles)
+TEST(BiharmonicExtension, ConvergesToTheFunctionThatIsFlatAtBothCircles)
 {
     expect_convergence(biharmonic_extension, flat_at_both);
 }
 
-TEST(ConformalBiharmonicSpread, ConvergesToTheMoveOfACircleThatTurns)
+TEST(ConformalBiharmonicExtension, ConvergesToTheMoveOfACircleThatTurns)
 {
     expect_convergence(conformal_biharmonic_extension, turned);
 }
@@ -110,7 +110,7 @@ Eigen::RowVector2d one_and_waves(double x, double y)
     return {1, std::sin(3 * x) + y * y};
 }
 
-TEST(BiharmonicSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsConstants)
+TEST(BiharmonicExtension, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsConstants)
 {
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
@@ -124,7 +124,7 @@ TEST(BiharmonicSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsConstants)
     }
 }
 
-TEST(ConformalBiharmonicSpread, TurnsAndScalesEveryRealMeshWithItsBoundary)
+TEST(ConformalBiharmonicExtension, TurnsAndScalesEveryRealMeshWithItsBoundary)
 {
     const auto similar = [](double x, double y) {
         return Eigen::RowVector2d(1 - 0.4 * x - 1.7 * y, 2 + 1.7 * x - 0.4 * y);
@@ -140,7 +140,7 @@ TEST(ConformalBiharmonicSpread, TurnsAndScalesEveryRealMeshWithItsBoundary)
     }
 }
 
-TEST(ConformalBiharmonicSpread, TurnsAnAirfoilWithoutInvertedElements)
+TEST(ConformalBiharmonicExtension, TurnsAnAirfoilWithoutInvertedElements)
 {
     const std::vector<std::array<std::string, 2>> meshes{
         {"naca0012_inv", "airfoil"}, {"naca0012_lam_hybrid", "airfoil"}, {"rae2822_turb", "AIRFOIL"}};
@@ -182,7 +182,7 @@ struct WalledSquare {
     DirichletBoundary held;
 };
 
-TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
+TEST(BiharmonicExtension, HasNoSlopeOnEitherSideOfAnInnerWall)
 {
     const WalledSquare square;
     const auto left_only = [](double x, double) {
@@ -202,7 +202,7 @@ TEST(BiharmonicSpread, HasNoSlopeOnEitherSideOfAnInnerWall)
     EXPECT_GT(beyond(one_sided), 0.01);
 }
 
-TEST(BiharmonicSpread, DoesNotDependOnTheUnitOfLengthOrTheAxes)
+TEST(BiharmonicExtension, DoesNotDependOnTheUnitOfLengthOrTheAxes)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(kInner, kOuter, 40));
     const DirichletBoundary held = whole_boundary(mesh, "inner");
@@ -217,7 +217,7 @@ TEST(BiharmonicSpread, DoesNotDependOnTheUnitOfLengthOrTheAxes)
     }
 }
 
-TEST(BiharmonicSpread, IsTheSameBytesForAnyNumberOfThreads)
+TEST(BiharmonicExtension, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(kInner, kOuter, 180));
     const DirichletBoundary held = whole_boundary(mesh, "inner");
@@ -229,7 +229,7 @@ TEST(BiharmonicSpread, IsTheSameBytesForAnyNumberOfThreads)
     set_thread_count(0);
 }
 
-TEST(BiharmonicSpread, TakesTheCopiesOfASplitVertexAsOneUnknown)
+TEST(BiharmonicExtension, TakesTheCopiesOfASplitVertexAsOneUnknown)
 {
     const Mesh mesh = build_mesh(test::touching_squares(6));
     DirichletBoundary held; // through the shared corner it holds both squares
@@ -238,7 +238,7 @@ TEST(BiharmonicSpread, TakesTheCopiesOfASplitVertexAsOneUnknown)
     EXPECT_LE((u.array() - 2).abs().maxCoeff<Eigen::PropagateNaN>(), kSolveTol);
 }
 
-TEST(BiharmonicSpread, RefusesWhatMakesNoSense)
+TEST(BiharmonicExtension, RefusesWhatMakesNoSense)
 {
     const Mesh mesh = build_mesh(test::uneven_square(6));
     const DirichletBoundary held = whole_boundary(mesh, "top");

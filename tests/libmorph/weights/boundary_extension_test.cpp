@@ -11,9 +11,9 @@
 #include "libmorph/weights/idw.h"
 #include "libmorph/weights/rbf.h"
 #include "libmorph/weights/spring.h"
+#include "tests/support/boundary_values.h"
 #include "tests/support/errors.h"
 #include "tests/support/meshes.h"
-#include "tests/support/spreads.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

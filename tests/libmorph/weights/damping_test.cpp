@@ -29,7 +29,7 @@ Eigen::RowVector2d wavy(double x, double y)
     return {0.1 * std::sin(3 * x + y), 0.2 * std::cos(x - 2 * y)};
 }
 
-TEST(DampingSpread, IsTheFormulaInARing)
+TEST(DampingExtension, IsTheFormulaInARing)
 {
     // The boundary is two polygons of 200 sides, which lie a little inside their circles.
     const Mesh mesh = build_mesh(test::annulus(0.5, 3, 200, 20));
@@ -45,7 +45,7 @@ TEST(DampingSpread, IsTheFormulaInARing)
     }
 }
 
-TEST(DampingSpread, FollowsAMovingWallLinearlyAlongItsEdges)
+TEST(DampingExtension, FollowsAMovingWallLinearlyAlongItsEdges)
 {
     const Mesh mesh = build_mesh(test::uneven_square(6));
     DirichletBoundary held = dirichlet_boundary(mesh, {"bottom"});
@@ -66,7 +66,7 @@ TEST(DampingSpread, FollowsAMovingWallLinearlyAlongItsEdges)
     }
 }
 
-TEST(DampingSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
+TEST(DampingExtension, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
 {
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
@@ -83,7 +83,7 @@ TEST(DampingSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
     }
 }
 
-TEST(DampingSpread, OfOneKindOfBoundaryTakesItsNearestValue)
+TEST(DampingExtension, OfOneKindOfBoundaryTakesItsNearestValue)
 {
     const Mesh mesh = build_mesh(test::uneven_square(5));
     DirichletBoundary held = dirichlet_boundary(mesh, {"bottom", "right", "top", "left"});
@@ -94,7 +94,7 @@ TEST(DampingSpread, OfOneKindOfBoundaryTakesItsNearestValue)
     EXPECT_GT(all_move.rowwise().norm().minCoeff(), 0);
 }
 
-TEST(DampingSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElements)
+TEST(DampingExtension, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
@@ -108,7 +108,7 @@ TEST(DampingSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElement
     }
 }
 
-TEST(DampingSpread, IsTheSameBytesForAnyNumberOfThreads)
+TEST(DampingExtension, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
@@ -120,7 +120,7 @@ TEST(DampingSpread, IsTheSameBytesForAnyNumberOfThreads)
     set_thread_count(0);
 }
 
-TEST(DampingSpread, RefusesWhatMakesNoSense)
+TEST(DampingExtension, RefusesWhatMakesNoSense)
 {
     const Mesh mesh = build_mesh(test::uneven_square(4));
     DirichletBoundary held = dirichlet_boundary(mesh, {"top"});

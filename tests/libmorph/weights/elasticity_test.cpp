@@ -3,9 +3,9 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/mesh/builder.h"
+#include "tests/support/boundary_values.h"
 #include "tests/support/errors.h"
 #include "tests/support/meshes.h"
-#include "tests/support/spreads.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,11 +21,12 @@ using test::whole_boundary;
 
 constexpr double kSolveTol = 1e-11; // one sparse solve of some hundred unknowns
 
-class ElasticSpreadOf : public testing::TestWithParam<MeshData (*)(Index)> {};
+class ElasticExtensionOf : public testing::TestWithParam<MeshData (*)(Index)> {};
 
-INSTANTIATE_TEST_SUITE_P(Squares, ElasticSpreadOf, testing::Values(&test::uneven_square, &test::quad_square));
+INSTANTIATE_TEST_SUITE_P(Squares, ElasticExtensionOf,
+                         testing::Values(&test::uneven_square, &test::quad_square));
 
-TEST_P(ElasticSpreadOf, ASquareFollowsEveryAffineMoveOfItsBoundary)
+TEST_P(ElasticExtensionOf, ASquareFollowsEveryAffineMoveOfItsBoundary)
 {
     const Mesh mesh = build_mesh(GetParam()(12));
     const DirichletBoundary held = whole_boundary(mesh, "top");
@@ -63,7 +64,7 @@ double error_of(const MeshData& data)
     return (u - values_at(mesh, without_force)).norm() / std::sqrt(static_cast<double>(u.rows()));
 }
 
-TEST_P(ElasticSpreadOf, ASquareConvergesToTheExactSolutionWithOrderTwo)
+TEST_P(ElasticExtensionOf, ASquareConvergesToTheExactSolutionWithOrderTwo)
 {
     const double coarse = error_of(GetParam()(10)), middle = error_of(GetParam()(20)),
                  fine = error_of(GetParam()(40));
@@ -75,7 +76,7 @@ TEST_P(ElasticSpreadOf, ASquareConvergesToTheExactSolutionWithOrderTwo)
 // Integrated exactly, the stiffness of a square element is (lambda + 3 mu) / 3 at a corner, and -1/2 of that
 // and
 // -(lambda + mu) / 4 between opposite corners along the same and across the axes; four elements meet here.
-TEST(ElasticSpread, HasTheStiffnessOfBilinearQuads)
+TEST(ElasticExtension, HasTheStiffnessOfBilinearQuads)
 {
     MeshData data = test::quad_square(2);
     data.points.row(4) << 0.5, 0.5, 0;
@@ -102,7 +103,7 @@ Index inverted_by_turning(const std::string& file, double degrees, YoungsModulus
     return test::inverted_by(mesh, elastic_extension(mesh, held, {modulus, 0.3})->extend(turned));
 }
 
-TEST(ElasticSpread, TurnsAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
+TEST(ElasticExtension, TurnsAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
 {
     for (const char* file : {"naca0012_inv", "naca0012_lam_hybrid"}) {
         EXPECT_EQ(inverted_by_turning(file, 90, YoungsModulus::inverse_area), 0) << file;
@@ -111,7 +112,7 @@ TEST(ElasticSpread, TurnsAnAirfoilWithoutInvertedElementsWhenStiffNearIt)
     }
 }
 
-TEST(ElasticSpread, RefusesWhatIsNoSolidAtRest)
+TEST(ElasticExtension, RefusesWhatIsNoSolidAtRest)
 {
     MeshData data = test::uneven_square(6);
     const Mesh mesh = build_mesh(data);

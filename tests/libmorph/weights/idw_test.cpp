@@ -30,7 +30,7 @@ Eigen::RowVector2d wavy(double x, double y)
     return {0.1 * std::sin(3 * x + y), 0.2 * std::cos(x - 2 * y)};
 }
 
-TEST(IdwSpread, IsTheFormulaOfTheArticle)
+TEST(IdwExtension, IsTheFormulaOfTheArticle)
 {
     const Mesh mesh =
         build_mesh(test::uneven_square(4)); // sides cut in four: each vertex has a length of 1/4
@@ -60,7 +60,7 @@ TEST(IdwSpread, IsTheFormulaOfTheArticle)
     }
 }
 
-TEST(IdwSpread, WeighsAVertexByTheLengthOfItsEdges)
+TEST(IdwExtension, WeighsAVertexByTheLengthOfItsEdges)
 {
     MeshData data; // a vertex in a rectangle 4 x 2, all corners equally far
     data.points.resize(6, 3);
@@ -83,7 +83,7 @@ TEST(IdwSpread, WeighsAVertexByTheLengthOfItsEdges)
             }
 }
 
-TEST(IdwSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
+TEST(IdwExtension, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
 {
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
@@ -100,7 +100,7 @@ TEST(IdwSpread, IsExactOnTheBoundaryOfEveryRealMeshAndKeepsBounds)
     }
 }
 
-TEST(IdwSpread, TendsToTheBoundaryThatAVertexIsNearTo)
+TEST(IdwExtension, TendsToTheBoundaryThatAVertexIsNearTo)
 {
     MeshData data = test::uneven_square(10);
     const Index inner = 11 + 5; // above (0.5, 0)
@@ -114,7 +114,7 @@ TEST(IdwSpread, TendsToTheBoundaryThatAVertexIsNearTo)
         }
 }
 
-TEST(IdwSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElements)
+TEST(IdwExtension, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
@@ -129,7 +129,7 @@ TEST(IdwSpread, WithRotationsTurnsAirfoilsBy120DegreesWithoutInvertedElements)
     }
 }
 
-TEST(IdwSpread, IsTheSameBytesForAnyNumberOfThreads)
+TEST(IdwExtension, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_inv.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
@@ -141,7 +141,7 @@ TEST(IdwSpread, IsTheSameBytesForAnyNumberOfThreads)
     set_thread_count(0);
 }
 
-TEST(IdwSpread, TakesVerticesWithoutEdgesAndVerticesAtTheSamePlace)
+TEST(IdwExtension, TakesVerticesWithoutEdgesAndVerticesAtTheSamePlace)
 {
     const Mesh square = build_mesh(test::uneven_square(4));
     const Matrix two = Matrix::Constant(1, 1, 2);
@@ -157,7 +157,7 @@ TEST(IdwSpread, TakesVerticesWithoutEdgesAndVerticesAtTheSamePlace)
         }
 }
 
-TEST(IdwSpread, RefusesOptionsThatMakeNoSense)
+TEST(IdwExtension, RefusesOptionsThatMakeNoSense)
 {
     const Mesh mesh = build_mesh(test::uneven_square(4));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});

@@ -87,12 +87,12 @@ Matrix uncorrected(const Mesh& mesh, const DirichletBoundary& held, const Matrix
     return interpolant.evaluate(at, interpolant.coefficients(values));
 }
 
-class RbfSpreadWith : public testing::TestWithParam<RadialFunction> {
+class RbfExtensionWith : public testing::TestWithParam<RadialFunction> {
 protected:
     RbfOptions options() const { return {.function = GetParam()}; }
 };
 
-INSTANTIATE_TEST_SUITE_P(Functions, RbfSpreadWith, testing::ValuesIn(kFunctions));
+INSTANTIATE_TEST_SUITE_P(Functions, RbfExtensionWith, testing::ValuesIn(kFunctions));
 
 /// The first marker, and the second one where it is the other side of the same airfoil.
 std::vector<std::string> body(const Mesh& mesh)
@@ -103,7 +103,7 @@ std::vector<std::string> body(const Mesh& mesh)
     return names;
 }
 
-TEST_P(RbfSpreadWith, HasTheFunctionOfThePaper)
+TEST_P(RbfExtensionWith, HasTheFunctionOfThePaper)
 {
     Eigen::ArrayXd squared(6);
     squared << 0, 0.01, 0.25, 0.81, 1, 4;
@@ -113,7 +113,7 @@ TEST_P(RbfSpreadWith, HasTheFunctionOfThePaper)
         EXPECT_NEAR(squared[i], phi(GetParam(), q[i]), 1e-15) << q[i];
 }
 
-TEST_P(RbfSpreadWith, IsExactOnTheBoundaryOfEveryRealMesh)
+TEST_P(RbfExtensionWith, IsExactOnTheBoundaryOfEveryRealMesh)
 {
     for (const std::string& path : test::real_meshes()) {
         SCOPED_TRACE(path);
@@ -125,7 +125,7 @@ TEST_P(RbfSpreadWith, IsExactOnTheBoundaryOfEveryRealMesh)
     }
 }
 
-TEST_P(RbfSpreadWith, CarriesAffineMovesAndConstantsExactly)
+TEST_P(RbfExtensionWith, CarriesAffineMovesAndConstantsExactly)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_lam_hybrid.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
@@ -136,7 +136,7 @@ TEST_P(RbfSpreadWith, CarriesAffineMovesAndConstantsExactly)
     EXPECT_LE(difference(extension->extend(one), Matrix::Ones(vertex_count(mesh), 1)), kAffineTol);
 }
 
-TEST_P(RbfSpreadWith, AgreesWithTheSystemSolvedAsItStands)
+TEST_P(RbfExtensionWith, AgreesWithTheSystemSolvedAsItStands)
 {
     const Mesh mesh = build_mesh(test::uneven_square(4));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
@@ -165,7 +165,7 @@ TEST_P(RbfSpreadWith, AgreesWithTheSystemSolvedAsItStands)
         EXPECT_LE(difference(moved.row(v), row(v) * c), kSmallTol) << v;
 }
 
-TEST_P(RbfSpreadWith, TurnsAirfoilsBy45DegreesWithoutInvertedElements)
+TEST_P(RbfExtensionWith, TurnsAirfoilsBy45DegreesWithoutInvertedElements)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
@@ -178,7 +178,7 @@ TEST_P(RbfSpreadWith, TurnsAirfoilsBy45DegreesWithoutInvertedElements)
     }
 }
 
-TEST(RbfSpread, OfWendlandsC2TurnsAirfoilsBy120Degrees)
+TEST(RbfExtension, OfWendlandsC2TurnsAirfoilsBy120Degrees)
 {
     for (const auto& [file, body] : test::kAirfoilMeshes) {
         const Mesh mesh = read_mesh(test::data_path(std::string("meshes/") + file));
@@ -188,7 +188,7 @@ TEST(RbfSpread, OfWendlandsC2TurnsAirfoilsBy120Degrees)
     }
 }
 
-TEST(RbfSpread, SaysWhenASmoothFunctionMissesABoundaryThatTears)
+TEST(RbfExtension, SaysWhenASmoothFunctionMissesABoundaryThatTears)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_multiffd.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil_lower"}); // away from the upper side
@@ -202,7 +202,7 @@ TEST(RbfSpread, SaysWhenASmoothFunctionMissesABoundaryThatTears)
     }
 }
 
-TEST(RbfSpread, WithoutLinearTermsFadesToNothingOutOfReach)
+TEST(RbfExtension, WithoutLinearTermsFadesToNothingOutOfReach)
 {
     const Mesh mesh = build_mesh(test::uneven_annulus(0.5, 30, 60));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"inner"});
@@ -218,7 +218,7 @@ TEST(RbfSpread, WithoutLinearTermsFadesToNothingOutOfReach)
     EXPECT_GT(far, 100);
 }
 
-TEST(RbfSpread, GivesTheCopiesOfASplitVertexTheSame)
+TEST(RbfExtension, GivesTheCopiesOfASplitVertexTheSame)
 {
     const Mesh mesh = build_mesh(test::touching_squares(4));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
@@ -230,7 +230,7 @@ TEST(RbfSpread, GivesTheCopiesOfASplitVertexTheSame)
         }
 }
 
-TEST(RbfSpread, IsTheSameBytesForAnyNumberOfThreads)
+TEST(RbfExtension, IsTheSameBytesForAnyNumberOfThreads)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/cylinder_lam.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"cylinder"});
@@ -245,7 +245,7 @@ TEST(RbfSpread, IsTheSameBytesForAnyNumberOfThreads)
     set_thread_count(0);
 }
 
-TEST(RbfSpread, FromFewCentresIsExactOnTheBoundaryAndLinear)
+TEST(RbfExtension, FromFewCentresIsExactOnTheBoundaryAndLinear)
 {
     const Mesh mesh = read_mesh(test::data_path("meshes/naca0012_lam_hybrid.su2"));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"airfoil"});
@@ -303,7 +303,7 @@ TEST(GreedyCentres, SayWhenTheyDoNotSuffice)
     EXPECT_THROW(greedy_centres(mesh, {}, Matrix(0, 2)), InputError);
 }
 
-TEST(RbfSpread, RefusesOptionsThatMakeNoSense)
+TEST(RbfExtension, RefusesOptionsThatMakeNoSense)
 {
     Mesh mesh = build_mesh(test::uneven_square(4));
     const DirichletBoundary held = dirichlet_boundary(mesh, {"top"});
@@ -321,7 +321,7 @@ TEST(RbfSpread, RefusesOptionsThatMakeNoSense)
     EXPECT_THAT(refusal({}), HasSubstr("surface in space"));
 }
 
-TEST(RbfSpread, RefusesHeldVerticesThatItCannotInterpolate)
+TEST(RbfExtension, RefusesHeldVerticesThatItCannotInterpolate)
 {
     MeshData data = test::uneven_square(4);
     data.points.row(1) = data.points.row(2);

@@ -4,9 +4,9 @@
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
 #include "libmorph/mesh/builder.h"
+#include "tests/support/boundary_values.h"
 #include "tests/support/errors.h"
 #include "tests/support/meshes.h"
-#include "tests/support/spreads.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
