@@ -1,10 +1,10 @@
 #include "libmorph/weights/rbf_setup.h"
 
 #include "libmorph/core/error.h"
+#include "libmorph/core/names.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace morph {
@@ -14,13 +14,6 @@ namespace {
 double diagonal(const Eigen::Ref<const Points>& x)
 {
     return x.rows() == 0 ? 0 : (x.colwise().maxCoeff() - x.colwise().minCoeff()).head<2>().norm();
-}
-
-std::string number_text(double x)
-{
-    std::ostringstream text;
-    text << x;
-    return text.str();
 }
 
 void require_distinct_places(const DomainView& domain, const std::vector<Index>& vertices)
