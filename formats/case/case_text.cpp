@@ -17,7 +17,7 @@ std::string number(double value)
     std::array<char, kLongestNumber> text{};
     std::string digits(text.data(), number_text(text.data(), value));
     if (digits.find_first_of(".e") == std::string::npos)
-        digits += ".0"; // TOML tells floats from integers
+        digits += ".0"; // TOML distinguishes floats from integers
     return digits;
 }
 

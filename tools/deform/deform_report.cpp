@@ -118,7 +118,7 @@ void describe_control(const ControlOutcome& control, Report& report)
         describe_constraints(*control.constrained, report);
 }
 
-/// At most 4 digits, and not above the value: a step that is told must be safe.
+/// At most 4 digits, and not above the value: a step that is reported must be safe.
 double rounded_down(double value)
 {
     if (value <= 0)

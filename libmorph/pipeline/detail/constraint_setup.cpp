@@ -123,9 +123,9 @@ private:
     {
         Tie tie{"tied control points of '" + entry.boundary + "'", {}};
         for (const std::array<Index, 3>& point : entry.points) {
-            const ControlPoint wanted{entry.boundary, number_of(point)};
+            const ControlPoint named{entry.boundary, number_of(point)};
             const auto& columns = motion_.columns();
-            const auto found = std::find(columns.begin(), columns.end(), wanted);
+            const auto found = std::find(columns.begin(), columns.end(), named);
             if (found == columns.end())
                 fail(entry.where,
                      "there is no such control point of '" + entry.boundary + "': " +

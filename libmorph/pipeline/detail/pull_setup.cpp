@@ -34,18 +34,18 @@ PullOutcome pull(const Mesh& mesh, const std::vector<PullSettings>& pulls, const
                  Matrix& displacements)
 {
     std::vector<Index> pulled_vertices;
-    Matrix wanted(0, displacements.cols());
+    Matrix target(0, displacements.cols());
     for (const PullSettings& entry : pulls) {
         const std::vector<Index> vertices =
             named_vertices(mesh, entry.vertices, entry.points, entry.where + "[[pull]]");
         pulled_vertices.insert(pulled_vertices.end(), vertices.begin(), vertices.end());
-        if (entry.displacements.cols() < wanted.cols())
+        if (entry.displacements.cols() < target.cols())
             throw InputError(entry.where + "[[pull]] displacements need z for a surface in space");
-        wanted.conservativeResize(wanted.rows() + entry.displacements.rows(), Eigen::NoChange);
-        wanted.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(wanted.cols());
+        target.conservativeResize(target.rows() + entry.displacements.rows(), Eigen::NoChange);
+        target.bottomRows(entry.displacements.rows()) = entry.displacements.leftCols(target.cols());
     }
     const Pulled pulled = pull_points(controlled_vertices(motion.rows(), points(mesh), pulled_vertices),
-                                      wanted, displacements, motion.held());
+                                      target, displacements, motion.held());
     displacements = pulled.displacements;
     PullOutcome outcome;
     for (const Index v : pulled_vertices)

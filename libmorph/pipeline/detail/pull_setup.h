@@ -7,7 +7,7 @@
 
 namespace morph {
 
-/// Change displacements so that pulled points come where they are wanted, by the least change.
+/// Change displacements so that pulled points reach their displacements, by the least change.
 ///
 /// @param displacements  K x 2 or K x 3, changed in place
 /// @throws InputError  names the pull: a vertex that the mesh does not have
