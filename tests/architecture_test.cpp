@@ -22,7 +22,6 @@ struct Layer {
 
 const std::vector<Layer>& layers()
 {
-    static const std::vector<std::string> base{"libmorph/core", "libmorph/mesh"};
     static const std::vector<std::string> low{"libmorph/core",     "libmorph/mesh",     "libmorph/basis",
                                               "libmorph/geometry", "libmorph/numerics", "libmorph/quality"};
     static const std::vector<std::string> above_deform = [] {
