@@ -27,8 +27,8 @@ PatchesOfVertices patches_of_vertices(Index vertices, const VertexLists& patches
     around.start.resize(at(vertices) + 1);
     for (const Index v : patches.vertex)
         ++around.start[at(v) + 1];
-    for (std::size_t v = 0; v < at(vertices); ++v)
-        around.start[v + 1] += around.start[v];
+    for (Index v = 0; v < vertices; ++v)
+        around.start[at(v + 1)] += around.start[at(v)];
     around.patch.resize(patches.vertex.size());
     std::vector<std::size_t> next(around.start.begin(), around.start.end() - 1);
     for (std::size_t p = 0; p < patches.count(); ++p)
@@ -44,7 +44,7 @@ public:
     PatchSum(Index vertices, Index components, const VertexLists& patches, const Fill& fill)
         : patches_(patches), fill_(fill), c_(components), around_(patches_of_vertices(vertices, patches))
     {
-        const std::size_t rows = at(vertices) * at(c_);
+        const std::size_t rows = vertices * c_;
         A_.diagonal.resize(rows);
         A_.start.resize(rows + 1);
     }
@@ -86,8 +86,8 @@ private:
     void count(std::size_t v)
     {
         const std::size_t n = neighbours(v).size();
-        for (std::size_t k = 0; k < at(c_); ++k)
-            A_.start[v * at(c_) + k + 1] = n == 0 ? 0 : n * at(c_) - 1;
+        for (Eigen::Index k = 0; k < c_; ++k)
+            A_.start[v * c_ + k + 1] = n == 0 ? 0 : n * c_ - 1;
     }
 
     /// The rows of vertex v.
@@ -99,7 +99,7 @@ private:
         for (std::size_t k = around_.start[v]; k < around_.start[v + 1]; ++k)
             add_patch(around_.patch[k], static_cast<Index>(v), columns, dense, rows);
         for (Eigen::Index k = 0; k < c_; ++k)
-            put(v * at(c_) + at(k), columns, rows.row(k));
+            put(v * c_ + k, columns, rows.row(k));
     }
 
     void add_patch(std::size_t p, Index v, const std::vector<Index>& columns, ElementMatrix& dense,
@@ -122,7 +122,7 @@ private:
     {
         std::size_t next = A_.start[row];
         for (Eigen::Index j = 0; j < values.size(); ++j) {
-            const std::size_t column = at(columns[at(j / c_)]) * at(c_) + at(j % c_);
+            const std::size_t column = columns[at(j / c_)] * c_ + j % c_;
             if (column == row) {
                 A_.diagonal[row] = values[j];
                 continue;

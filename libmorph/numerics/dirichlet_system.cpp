@@ -17,9 +17,9 @@ std::size_t at(Index i)
 
 DofMap places_of(const SymmetricMatrix& A, Index c, const std::vector<Index>& held)
 {
-    std::vector<bool> joined(A.diagonal.size() / at(c));
+    std::vector<bool> joined(A.diagonal.size() / c);
     for (std::size_t v = 0; v < joined.size(); ++v)
-        joined[v] = A.start[v * at(c)] < A.start[(v + 1) * at(c)];
+        joined[v] = A.start[v * c] < A.start[(v + 1) * c];
     return {joined, held};
 }
 
@@ -64,11 +64,11 @@ Split split(const SymmetricMatrix& A, Index c, const DofMap& places)
 SymmetricMatrix vertex_graph(const SymmetricMatrix& A, Index c)
 {
     SymmetricMatrix graph;
-    const std::size_t n = A.diagonal.size() / at(c);
+    const std::size_t n = A.diagonal.size() / c;
     graph.diagonal.resize(n);
     graph.start.push_back(0);
     for (std::size_t v = 0; v < n; ++v) {
-        for (std::size_t e = A.start[v * at(c)]; e < A.start[v * at(c) + 1]; ++e)
+        for (std::size_t e = A.start[v * c]; e < A.start[v * c + 1]; ++e)
             if (A.column[e] % c == 0)
                 graph.column.push_back(A.column[e] / c);
         graph.start.push_back(graph.column.size());
@@ -138,7 +138,7 @@ Matrix DirichletSystem::solve(const Matrix& values, const Matrix& load) const
                          std::to_string(parts_->held_count) + " held vertices");
     const Eigen::Index m = values.cols() / c;
     if (m * c != values.cols() || load.cols() != values.cols() ||
-        at(static_cast<Index>(load.rows())) != places.vertices())
+        load.rows() != static_cast<Eigen::Index>(places.vertices()))
         throw InputError("values in " + std::to_string(values.cols()) + " columns and loads in " +
                          std::to_string(load.rows()) + " x " + std::to_string(load.cols()) +
                          " are given for " + std::to_string(places.vertices()) + " vertices of " +

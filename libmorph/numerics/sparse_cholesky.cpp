@@ -26,6 +26,12 @@ std::size_t at(Index i)
     return static_cast<std::size_t>(i);
 }
 
+/// Column j of a matrix stored by columns.
+double* column_of(double* matrix, Index j, Index rows)
+{
+    return matrix + std::ptrdiff_t{j} * rows;
+}
+
 /// Says how far the factorisation is, from the thread that made it and some dozens of times.
 class FactorProgress {
 public:
@@ -151,12 +157,12 @@ void SparseCholesky::factor_front(std::size_t node, const SymmetricMatrix& A, st
     const std::size_t border = at(f.border);
     updates[node] = std::make_unique_for_overwrite<double[]>(border * border);
     double* update = updates[node].get();
-    std::fill_n(f.panel, at(f.own) * at(f.rows), 0.0);
+    std::fill_n(f.panel, std::ptrdiff_t{f.own} * f.rows, 0.0);
     std::fill_n(update, border * border, 0.0);
     add_matrix(f, A);
     for (const Index child : tree_.nodes[node].children)
         if (child >= 0) {
-            add_update(f, update, at(child), updates[at(child)].get());
+            add_update(f, update, child, updates[at(child)].get());
             updates[at(child)].reset();
         }
     if (f.own == 0)
@@ -178,7 +184,7 @@ void SparseCholesky::add_matrix(const Front& f, const SymmetricMatrix& A) const
 {
     for (Index k = f.begin; k < f.end; ++k) {
         const std::size_t row = at(tree_.order[at(k)]);
-        double* column = f.panel + at(k - f.begin) * at(f.rows);
+        double* column = column_of(f.panel, k - f.begin, f.rows);
         column[k - f.begin] = A.diagonal[row];
         for (std::size_t e = A.start[row]; e < A.start[row + 1]; ++e) {
             const Index p = position_[at(A.column[e])];
@@ -196,8 +202,8 @@ void SparseCholesky::add_update(const Front& f, double* update, std::size_t chil
 {
     const std::vector<Index> row = f.rows_of(border_[child]);
     for (std::size_t j = 0; j < row.size(); ++j) {
-        double* column = row[j] < f.own ? f.panel + at(row[j]) * at(f.rows)
-                                        : update + at(row[j] - f.own) * at(f.border) - f.own;
+        double* column = row[j] < f.own ? column_of(f.panel, row[j], f.rows)
+                                        : column_of(update, row[j] - f.own, f.border) - f.own;
         const double* from = childs + j * row.size();
         for (std::size_t i = j; i < row.size(); ++i)
             column[row[i]] += from[i];
