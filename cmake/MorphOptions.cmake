@@ -23,10 +23,6 @@ if(MORPH_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-if(MORPH_FUZZ)
-  add_compile_options(-fsanitize=fuzzer-no-link)
-endif()
-
 if(MORPH_COVERAGE)
   add_compile_options(--coverage -O0)
   add_link_options(--coverage)
