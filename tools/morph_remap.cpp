@@ -14,7 +14,6 @@
 #include "tools/remap/remap_report.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,11 +24,6 @@ constexpr const char* kTool = "morph-remap";
 constexpr const char* kStatus = "remap_status";
 constexpr const char* kDistance = "remap_distance";
 
-const std::map<std::string, Outside> kOutsideRules{{"idw", Outside::idw},
-                                                   {"nearest", Outside::nearest},
-                                                   {"project", Outside::project},
-                                                   {"fail", Outside::fail}};
-
 struct Options {
     std::string source;
     std::string target;
@@ -38,7 +32,7 @@ struct Options {
     std::string source_fields;
     std::string source_neighbors;
     std::string outside;
-    std::string quads = "bilinear";
+    std::string quads = to_string(QuadRule::bilinear);
     std::string cells = "sample";
     bool conservative = false;
     InverseDistance inverse_distance;
@@ -68,7 +62,7 @@ void add_options(CommandLine& line, Options& options)
              "Where targets outside the source get values from: idw (the nearest targets inside, by\n"
              "inverse distance; default for planar meshes), nearest (the nearest vertex of the source),\n"
              "project (its closest point; default for surfaces), fail (nowhere: an error)")
-        .one_of({"idw", "nearest", "project", "fail"});
+        .one_of(names_of<Outside>());
     line.add("--neighbors", options.inverse_distance.neighbors, "How many targets idw weighs")
         .show_default()
         .range(1, 1000000);
@@ -78,7 +72,7 @@ void add_options(CommandLine& line, Options& options)
     line.add("--quads", options.quads,
              "How values vary in a quad: bilinear, or split into the triangles 1 2 3 and 1 3 4")
         .show_default()
-        .one_of({"bilinear", "split"});
+        .one_of(names_of<QuadRule>());
     line.add("--cells", options.cells,
              "Element fields: sample (the value at the centre of each target element), or conservative\n"
              "(the mean over what the source covers of it, which keeps the integral)")
@@ -148,11 +142,11 @@ RemapSettings settings_of(const Options& options)
 {
     RemapSettings settings;
     if (!options.outside.empty())
-        settings.outside = kOutsideRules.at(options.outside);
+        settings.outside = from_string<Outside>(options.outside);
     settings.inverse_distance = options.inverse_distance;
     settings.conserve_nodal = options.conservative;
     settings.conserve_elements = options.cells == "conservative";
-    settings.quads = options.quads == "split" ? QuadRule::split : QuadRule::bilinear;
+    settings.quads = from_string<QuadRule>(options.quads);
     return settings;
 }
 
@@ -177,7 +171,7 @@ void transfer(const Mesh& source, Mesh& target, const Options& options, RemapRes
     const std::vector<const Field*> fields = chosen_fields(source, options);
     const RemapSettings settings = settings_of(options);
     result.outside_rule =
-        options.outside.empty() ? (source.dimension == 2 ? "idw" : "project") : options.outside;
+        to_string(settings.outside.value_or(source.dimension == 2 ? Outside::idw : Outside::project));
     const Locator locator(source);
     Remapper remapper(locator, target, settings);
     const TargetLocations& targets = remapper.locations(FieldLocation::vertex);

@@ -20,7 +20,7 @@ namespace morph {
 ///     MoveResult moved = deformer.move();
 ///     points(mesh) = moved.positions; // when the deformer is needed no more
 ///
-/// Equal bytes for any number of threads. Const functions may be called from several threads at once.
+/// Equal bytes for any number of threads.
 class Deformer {
 public:
     /// @param mesh      undeformed, n vertices; it is kept by reference: it must outlive the deformer and stay as

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libmorph/core/names.h"
 #include "libmorph/geometry/plane_element.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,12 @@ enum class QuadRule {
     bilinear, ///< by the inverse of the bilinear map: smooth inside, the same from both sides of a side
     split,    ///< linear in each of the triangles 1 2 3 and 1 3 4, as in the thesis (4.2)
 };
+
+template <>
+inline constexpr auto kEnumNames<QuadRule> = std::to_array<EnumName<QuadRule>>({
+    {QuadRule::bilinear, "bilinear"},
+    {QuadRule::split, "split"},
+});
 
 /// Barycentric coordinates of @p p in triangle a b c: they sum to 1, and the corners weighted by them give
 /// the point, both to rounding also in slivers, whose single coordinates rounding may move by more. Outside

@@ -55,6 +55,34 @@ TEST(CaseFile, IsReadWholeWithPathsRelativeToIt)
     EXPECT_THAT(*file.motion.deform.fixed, ::testing::ElementsAre("farfield"));
 }
 
+TEST(CaseFile, GivesEveryEntryItsPlaceForMessages)
+{
+    const test::TemporaryFolder folder;
+    const std::string more = R"(
+[lattice]
+points = [4, 3]
+box = [0, 0, 1, 1]
+[[pull]]
+vertices = [3]
+displacements = [[0, 1]]
+[constraints]
+area = ["airfoil"]
+[[constraints.thickness]]
+boundary = "airfoil"
+at = [0.5]
+keep = 1
+)";
+    const std::string path = folder.write("case.toml", kCase + more);
+    const MotionSettings motion = read_case_file(path).motion;
+    EXPECT_EQ(motion.where, path + ": ");
+    EXPECT_EQ(motion.curves[0].where, path + ":4: ");
+    EXPECT_EQ(motion.deform.where, path + ":11: ");
+    EXPECT_EQ(motion.lattice->where, path + ":19: ");
+    EXPECT_EQ(motion.pulls[0].where, path + ":22: ");
+    EXPECT_EQ(motion.constraints->where, path + ":25: ");
+    EXPECT_EQ(motion.constraints->thicknesses[0].where, path + ":27: ");
+}
+
 TEST(CaseFile, TakesMovedPointsAndFilesOfPoints)
 {
     const test::TemporaryFolder folder;

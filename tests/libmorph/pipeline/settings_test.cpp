@@ -27,7 +27,7 @@ class EnumNames : public ::testing::Test {
 
 using NamedEnums =
     ::testing::Types<Method, Guard, Diffusivity, RadialFunction, YoungsModulus, SpringStiffness,
-                     SpringBracing, BiharmonicCondition, LatticeBasis, Outside>;
+                     SpringBracing, BiharmonicCondition, LatticeBasis, Outside, QuadRule>;
 TYPED_TEST_SUITE(EnumNames, NamedEnums);
 
 TYPED_TEST(EnumNames, AreReadBackAndRefusedWithTheNearest)
