@@ -24,7 +24,7 @@ JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
 ROOT := $(shell [ $$(id -u) -eq 0 ] || echo sudo)
 
-.PHONY: help deps build demo test sanitize peers bench lint install clean
+.PHONY: help deps build demo test sanitize peers bench lint docs install clean
 
 help:
 	@echo 'make demo      set up, build, morph a real mesh, draw it before and after'
@@ -35,6 +35,7 @@ help:
 	@echo 'make peers     let Gmsh, meshio, VTK and others read what we write, and read what they write'
 	@echo 'make bench     run the benchmarks (tests/bench/README.md explains the table)'
 	@echo 'make lint      clang-format and clang-tidy; SINCE=REV: on what changed since that revision'
+	@echo 'make docs      the API reference, in out/docs/html'
 	@echo 'make install   install below PREFIX ($(PREFIX))'
 
 # Silent when nothing is missing.
@@ -91,6 +92,11 @@ lint: deps
 	$(call install_missing,$(LINT_PACKAGES))
 	@cmake --preset lint >/dev/null
 	@sh .ci/lint.sh build/lint $(JOBS) $(SINCE)
+
+docs:
+	$(call install_missing,cmake doxygen)
+	@mkdir -p out/docs
+	@{ cat docs/Doxyfile; cmake -D PROJECT_SOURCE_DIR=. -P cmake/DoxygenInput.cmake; } | doxygen -
 
 install: build
 	@cmake --install build --prefix $(PREFIX)
