@@ -2,6 +2,7 @@
 
 #include "formats/binary/base64.h"
 #include "formats/binary/compression.h"
+#include "formats/text/text_scanner.h"
 #include "libmorph/core/error.h"
 
 #include <algorithm>

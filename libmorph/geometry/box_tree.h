@@ -43,11 +43,18 @@ public:
     /// @param value  value(rank)
     /// @param best   what an item must be less than; returned when none is
     template <typename Bound, typename Value>
-    Candidate least(const Bound& bound, const Value& value, Candidate best = {}) const
+    Candidate least(const Bound& bound, const Value& value, Candidate best) const
     {
         if (!nodes_.empty() && bound(nodes_[0].box) < best.value)
             improve(nodes_[0], bound, value, best);
         return best;
+    }
+
+    /// The same of all items.
+    template <typename Bound, typename Value>
+    Candidate least(const Bound& bound, const Value& value) const
+    {
+        return least(bound, value, Candidate());
     }
 
     /// Call try_item(rank) for the items of the leaves whose boxes hold @p x, by rank, until it returns true.
