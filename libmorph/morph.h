@@ -35,6 +35,6 @@ namespace morph {
 #include "libmorph/quality/safe_step.h"
 
 // Another mesh of the same domain, and fields from one mesh to another.
+#include "libmorph/pipeline/remesh_job.h"
 #include "libmorph/remap/remap.h"
 #include "libmorph/remesh/remesh.h"
-#include "libmorph/remesh/size_settings.h"
