@@ -18,10 +18,11 @@ namespace morph {
 #include "libmorph/mesh/builder.h"
 #include "libmorph/mesh/edits.h"
 
-// Moving a mesh: Deformer; or weights of single methods, apply_weights() and control_point_gradient().
+// Moving a mesh: Deformer; compare() for a move by several methods; or weights of single methods, apply_weights() and control_point_gradient().
 #include "libmorph/deform/apply.h"
 #include "libmorph/deform/gradient.h"
 #include "libmorph/deform/repair.h"
+#include "libmorph/pipeline/comparison.h"
 #include "libmorph/pipeline/deformer.h"
 #include "libmorph/pipeline/generate.h"
 #include "libmorph/weights/damping.h"
