@@ -18,10 +18,11 @@ namespace morph {
 #include "libmorph/mesh/builder.h"
 #include "libmorph/mesh/edits.h"
 
-// Moving a mesh: Deformer; or weights of single methods, apply_weights() and control_point_gradient().
+// Moving a mesh: Deformer; compare() for a move by several methods; or weights of single methods, apply_weights() and control_point_gradient().
 #include "libmorph/deform/apply.h"
 #include "libmorph/deform/gradient.h"
 #include "libmorph/deform/repair.h"
+#include "libmorph/pipeline/comparison.h"
 #include "libmorph/pipeline/deformer.h"
 #include "libmorph/pipeline/generate.h"
 #include "libmorph/weights/damping.h"
@@ -35,6 +36,6 @@ namespace morph {
 #include "libmorph/quality/safe_step.h"
 
 // Another mesh of the same domain, and fields from one mesh to another.
+#include "libmorph/pipeline/remesh_job.h"
 #include "libmorph/remap/remap.h"
 #include "libmorph/remesh/remesh.h"
-#include "libmorph/remesh/size_settings.h"

@@ -7,8 +7,8 @@
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
-#include "tools/compare/comparison.h"
 #include "tools/compare/page.h"
+#include "tools/compare/table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ struct Options {
 std::string methods_help()
 {
     std::string text = "Which methods (default: all):";
-    for (const CompareMethod& method : compare_methods())
+    for (const ComparedMethod& method : compared_methods())
         text += "\n" + method.name + " (" + method.description + ")";
     return text + "\nNAME+untangle repairs the elements that NAME leaves inverted";
 }
@@ -49,18 +49,26 @@ void add_options(CommandLine& line, Options& options)
     line.add_from(options.from);
 }
 
-std::vector<CompareMethod> chosen_methods(const Options& options)
+std::vector<ComparedMethod> chosen_methods(const Options& options)
 {
     if (options.methods.empty())
-        return compare_methods();
-    std::vector<CompareMethod> chosen;
+        return compared_methods();
+    std::vector<ComparedMethod> chosen;
     for (const std::string& name : options.methods)
-        chosen.push_back(compare_method(name));
+        chosen.push_back(compared_method(name));
     return chosen;
 }
 
+/// The motion of a case with the FFD box it names as its lattice.
+MotionSettings with_box(CaseFile file, const Mesh& mesh)
+{
+    file.motion.deform.method = Method::ffd; // without which the lattice may not be used
+    take_su2_box(file, mesh);
+    return file.motion;
+}
+
 ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
-                          const std::vector<CompareMethod>& methods)
+                          const std::vector<ComparedMethod>& methods)
 {
     for (CurveMove& curve : file.motion.curves)
         curve.displacements *= factor;
@@ -68,9 +76,10 @@ ComparedMove compare_move(const Mesh& mesh, CaseFile file, double factor,
     for (const std::string& crossing : boundary_crossings(placed, placed.displacements))
         warn(kTool, crossing + ": no valid mesh exists");
     ComparedMove move{factor, {}};
-    for (const CompareMethod& method : methods)
+    for (const ComparedMethod& method : methods)
         try {
-            move.rows.push_back(compare(mesh, placed, file, method));
+            move.rows.push_back(
+                compare(mesh, placed, method.uses_lattice ? with_box(file, mesh) : file.motion, method));
         } catch (const std::runtime_error& error) { // the others are still of use
             warn(kTool, method.name + ": " + error.what());
         }
@@ -103,7 +112,7 @@ int compare_methods_of(int argc, char** argv)
     add_options(line, options);
     if (!line.parse(argc, argv))
         return kDone;
-    const std::vector<CompareMethod> methods = chosen_methods(options);
+    const std::vector<ComparedMethod> methods = chosen_methods(options);
     Report report(line.common());
     if (!options.page.empty())
         OutputFiles::require_writable(options.page);

@@ -5,23 +5,15 @@
 #include "libmorph/core/names.h"
 #include "libmorph/core/stopwatch.h"
 #include "libmorph/mesh/builder.h"
-#include "libmorph/remesh/bad_region.h"
-#include "libmorph/remesh/bounded_remesh.h"
-#include "libmorph/remesh/group_regions.h"
-#include "libmorph/remesh/remesh.h"
-#include "libmorph/remesh/transferred_fields.h"
+#include "libmorph/pipeline/remesh_job.h"
 #include "tools/common/command_line.h"
 #include "tools/common/report.h"
 #include "tools/common/run.h"
-#include "tools/remesh/cut_out_inverted.h"
 #include "tools/remesh/keep_option.h"
 #include "tools/remesh/remesh_report.h"
 #include "tools/remesh/size_options.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <utility>
 
 namespace morph::tools {
 namespace {
@@ -86,69 +78,26 @@ void add_options(CommandLine& line, Options& options)
     line.add_to(options.to);
 }
 
-RemeshSettings settings_of(const Mesh& mesh, const Options& options)
+RemeshJob job_of(const Options& options)
 {
-    RemeshSettings settings;
-    if (options.only_bad > 0)
-        settings.kept = all_but_bad(mesh, options.only_bad);
-    keep_zones(mesh, kept_zones(options.keep), settings.kept);
-    if (!settings.kept.empty())
-        settings.numbering = NumberingRule::keep_old;
-    settings.iterations = options.iterations;
-    settings.fresh = options.fresh;
-    settings.features.crease_angle = options.crease;
-    if (!options.case_file.empty())
-        for (const CurveMove& curve : read_case_file(options.case_file).motion.curves)
-            settings.features.curves.push_back({curve.marker, make_curve(curve)});
-    return settings;
+    RemeshJob job;
+    job.sizes = options.sizes;
+    job.only_bad = options.only_bad;
+    job.zones = kept_zones(options.keep);
+    job.hausdorff = options.hausdorff;
+    job.iterations = options.iterations;
+    job.fresh = options.fresh;
+    job.features.crease_angle = options.crease;
+    job.transfer_fields = !options.no_fields;
+    job.where = options.input + ": ";
+    return job;
 }
 
-/// The new mesh; with a target number of vertices, sizes are corrected by how many there are too many or too
-/// few, as long as that helps.
-RemeshResult remade(const Mesh& old, const Options& options, const RemeshSettings& settings,
-                    Eigen::VectorXd& sizes)
+void take_curves(const std::string& case_file, FeatureSettings& features)
 {
-    constexpr int kCorrections = 4;
-    constexpr double kNear = 0.02; // of the target number
-    if (options.hausdorff > 0)
-        return remesh_within(old, options.hausdorff, sizes, settings);
-    const Index vertices = target_vertices(old, options.sizes);
-    RemeshResult made = remesh(old, sizes, settings);
-    for (int i = 0; i < kCorrections && vertices > 0; ++i) {
-        const double ratio = static_cast<double>(made.data.points.rows()) / vertices;
-        if (std::abs(ratio - 1) <= kNear)
-            break;
-        const Eigen::VectorXd corrected = std::sqrt(ratio) * sizes;
-        RemeshResult next = remesh(old, corrected, settings);
-        const double next_ratio = static_cast<double>(next.data.points.rows()) / vertices;
-        if (std::abs(next_ratio - ratio) <= kNear * ratio)
-            break;
-        sizes = corrected;
-        made = std::move(next);
-    }
-    return made;
-}
-
-/// The new mesh with the borders between groups kept; what sizes were possible goes to the wishes.
-Mesh remeshed(Mesh& old, const GroupRegions& regions, const Options& options, const RemeshSettings& settings,
-              RemeshWishes& wishes)
-{
-    const RegionBorders borders(old, regions);
-    RemeshResult made = remade(old, options, settings, wishes.sizes);
-    wishes.possible = std::move(made.sizes);
-    Mesh mesh = build_mesh(made.data);
-    borders.remove_from(mesh);
-    return mesh;
-}
-
-/// Wishes at the vertices of the old mesh, carried to those of the new one.
-RemeshWishes carried_wishes(const Locator& locator, const Mesh& mesh, const RemeshWishes& wishes)
-{
-    const std::vector<Field> carried =
-        transferred_fields(locator, mesh,
-                           {{"sizes", FieldLocation::vertex, wishes.sizes},
-                            {"possible", FieldLocation::vertex, wishes.possible}});
-    return {carried[0].values, carried[1].values, wishes.vertices};
+    if (!case_file.empty())
+        for (const CurveMove& curve : read_case_file(case_file).motion.curves)
+            features.curves.push_back({curve.marker, make_curve(curve)});
 }
 
 void warn_if_beyond(const nlohmann::ordered_json& hausdorff, const Options& options)
@@ -171,7 +120,7 @@ int remesh_file(int argc, char** argv)
     add_options(line, options);
     if (!line.parse(argc, argv))
         return kDone;
-    kept_zones(options.keep); // refused before the mesh is read
+    RemeshJob job = job_of(options);
     Report report(line.common());
     find_format(options.output, options.to);
     OutputFiles::require_writable(options.output);
@@ -179,40 +128,27 @@ int remesh_file(int argc, char** argv)
     Stopwatch watch;
     const Mesh input = read_mesh(options.input, options.from);
     const double read = watch.lap();
-    Mesh old = without_inverted(input, options.input, report);
-    const RemeshSettings settings = settings_of(old, options);
-    RemeshWishes wishes;
-    wishes.sizes = target_sizes(old, options.sizes, settings.features, options.input + ": ");
-    wishes.vertices = target_vertices(old, options.sizes);
-    const GroupRegions regions = group_regions(old);
-    Mesh mesh = remeshed(old, regions, options, settings, wishes);
-    const double remeshed = watch.lap();
-    for (const OpaqueSection& carried : old.sections)
-        if (carried.names_vertices)
-            warn(kTool, options.input + ": " + carried.what +
-                            " may name vertices that are no more, and was left out");
-        else
-            mesh.sections.push_back(carried);
-    const Locator locator(old);
-    if (!old.groups.empty())
-        mesh.groups = transferred_groups(locator, regions, mesh);
-    if (!options.no_fields)
-        mesh.fields = transferred_fields(locator, mesh, old.fields);
-    const RemeshWishes wishes_there = carried_wishes(locator, mesh, wishes);
-    const double fields = watch.lap();
-    describe_remeshing(input, mesh, wishes_there, options.output, report);
+    take_curves(options.case_file, job.features);
+    const RemeshedMesh remeshed = remesh(input, job);
+    for (const std::string& what : remeshed.left_out)
+        warn(kTool, options.input + ": " + what + " may name vertices that are no more, and was left out");
+    watch.lap();
+    const RemeshCheck found = check_remeshing(input, remeshed.mesh, remeshed.targets);
+    describe_remeshing(input, remeshed, found, options.output, report);
     warn_if_beyond(report.json["hausdorff"], options);
     const double check = watch.lap();
 
     OutputFiles outputs;
     for (const std::string& warning :
-         write_mesh_data(to_mesh_data(mesh), options.output, outputs, options.to))
+         write_mesh_data(to_mesh_data(remeshed.mesh), options.output, outputs, options.to))
         warn(kTool, warning);
-    report.json["seconds"] = {
-        {"read", read}, {"remesh", remeshed}, {"fields", fields}, {"check", check}, {"write", watch.lap()}};
+    report.json["seconds"] = {{"read", read},
+                              {"remesh", remeshed.remesh_seconds},
+                              {"fields", remeshed.transfer_seconds},
+                              {"check", check},
+                              {"write", watch.lap()}};
     report.finish(outputs);
-    const bool valid = report.json["quality"]["after"]["inverted"] == 0 && report.json.value("folds", 0) == 0;
-    return valid ? kDone : kInverted;
+    return is_valid(found) ? kDone : kInverted;
 }
 
 } // namespace

@@ -8,10 +8,11 @@
 int main(int, char** argv)
 {
     const morph::Mesh mesh = morph::read_mesh(argv[1]);
-    morph::SizeSettings sizes;
-    sizes.scale = 0.5;
-    const morph::RemeshResult result = morph::remesh(mesh, morph::target_sizes(mesh, sizes));
-    const morph::QualityReport quality = morph::quality_report(morph::build_mesh(result.data));
-    std::cout << quality.triangles << " triangles, smallest angle " << quality.min_angle << " degrees\n";
-    morph::write_mesh_data(result.data, argv[2]);
+    morph::RemeshJob job;
+    job.sizes.scale = 0.5;
+    const morph::RemeshedMesh result = morph::remesh(mesh, job);
+    const morph::RemeshCheck check = morph::check_remeshing(mesh, result.mesh, result.targets);
+    std::cout << check.after.triangles << " triangles, smallest angle " << check.after.min_angle
+              << " degrees, " << check.distance.value << " from the old boundary\n";
+    morph::write_mesh_data(morph::to_mesh_data(result.mesh), argv[2]);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/compare/comparison.h"
+#include "tools/compare/table.h"
 
 #include <string>
 #include <vector>

@@ -1,18 +1,13 @@
 #include "tools/remesh/remesh_report.h"
 
 #include "libmorph/core/names.h"
-#include "libmorph/geometry/hausdorff.h"
-#include "libmorph/quality/quality.h"
-#include "libmorph/remesh/bad_region.h"
-#include "libmorph/remesh/folds.h"
-#include "libmorph/remesh/target_size.h"
 #include "tools/common/quality_json.h"
 #include "tools/common/run.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <vector>
 
 namespace morph::tools {
@@ -44,26 +39,14 @@ Eigen::Vector3d centroid(const Mesh& mesh, Index triangle)
 }
 
 /// Smallest, mean and worst of the triangles: the measure that remeshing aims at.
-nlohmann::ordered_json triangle_json(const Mesh& mesh)
+nlohmann::ordered_json triangle_json(const Mesh& mesh, const std::optional<TriangleSummary>& triangles)
 {
-    const std::vector<double> quality = triangle_qualities(mesh);
-    std::vector<double> of_triangles;
-    Index worst = -1;
-    for (Index f = 0; f < element_count(mesh); ++f) {
-        const auto place = static_cast<std::size_t>(f);
-        if (element_corners(mesh, f)[3] >= 0)
-            continue;
-        of_triangles.push_back(quality[place]);
-        if (worst < 0 || quality[place] < quality[static_cast<std::size_t>(worst)])
-            worst = f;
-    }
-    if (worst < 0)
+    if (!triangles)
         return nullptr;
-    const double sum = std::accumulate(of_triangles.begin(), of_triangles.end(), 0.0);
-    return {{"min", quality[static_cast<std::size_t>(worst)]},
-            {"mean", sum / static_cast<double>(of_triangles.size())},
-            {"worst_element", mesh.numbering.element[static_cast<std::size_t>(worst)]},
-            {"worst_at", coordinates(mesh, centroid(mesh, worst))}};
+    return {{"min", triangles->min},
+            {"mean", triangles->mean},
+            {"worst_element", file_element(mesh, triangles->worst)},
+            {"worst_at", coordinates(mesh, centroid(mesh, triangles->worst))}};
 }
 
 std::string worst_triangle(const nlohmann::ordered_json& triangles)
@@ -75,77 +58,53 @@ std::string worst_triangle(const nlohmann::ordered_json& triangles)
            ")";
 }
 
-bool is_held(const Mesh& mesh, Index vertex)
+/// Why an edge does not have its target length, as far as that is known.
+std::string cause_text(const SizeCheck& sizes)
 {
-    const VertexHandle v(vertex);
-    if (mesh.kernel.is_boundary(v))
-        return true;
-    for (auto face = mesh.kernel.cvf_begin(v); face.is_valid(); ++face)
-        if (element_corners(mesh, face->idx())[3] >= 0)
-            return true;
-    return false;
-}
-
-/// Why an edge does not have the target length, as far as that is known.
-std::string reason_of(const Mesh& mesh, const SizeConformity& found, const RemeshWishes& wishes)
-{
-    constexpr double kShort = 0.7;
-    const auto [a, b] = found.worst;
-    const double part = (wishes.possible[a] + wishes.possible[b]) / (wishes.sizes[a] + wishes.sizes[b]);
-    if (found.relative_length > kShort)
+    switch (sizes.cause) {
+    case ShortEdgeCause::limited:
+        return ": a boundary that is curved there, or a kept element, asks for " +
+               short_number(sizes.possible_part) + " of it";
+    case ShortEdgeCause::held:
+        return ": what is held there is nearer than that";
+    default:
         return "";
-    if (part < kShort)
-        return ": a boundary that is curved there, or a kept element, asks for " + short_number(part) +
-               " of it";
-    return is_held(mesh, a) && is_held(mesh, b) ? ": what is held there is nearer than that" : "";
+    }
 }
 
-Index isolated_vertices(const Mesh& mesh)
-{
-    Index count = 0;
-    for (const auto vertex : mesh.kernel.vertices())
-        count += mesh.kernel.is_isolated(vertex) ? 1 : 0;
-    return count;
-}
-
-void describe_count(const Mesh& mesh, Index wanted, Report& report)
+void describe_count(const Mesh& mesh, Index target, Report& report)
 {
     constexpr double kNear = 0.02;
     const auto count = static_cast<double>(vertex_count(mesh));
-    if (wanted == 0 || std::abs(count / wanted - 1) <= kNear)
+    if (target == 0 || std::abs(count / target - 1) <= kNear)
         return;
-    report.say("  " + std::to_string(wanted) + " vertices were asked for: " +
-               (count > wanted ? "boundaries, corners and kept elements ask for more"
+    report.say("  " + std::to_string(target) + " vertices were asked for: " +
+               (count > target ? "boundaries, corners and kept elements ask for more"
                                : "sizes cannot be lowered that evenly"));
 }
 
-/// What was wished for, and what of it could not be had.
-void describe_sizes(const Mesh& mesh, const RemeshWishes& wishes, Report& report)
+/// The target sizes, and how well they are met.
+void describe_sizes(const Mesh& mesh, const SizeCheck& sizes, Report& report)
 {
     constexpr double kShort = 0.7, kLong = 1.4;
-    const SizeConformity found = edge_conformity(mesh, wishes.sizes);
-    const double of_possible = size_conformity(mesh, wishes.possible);
-    report.json["size_conformity"] = found.share;
-    report.json["possible_size_conformity"] = of_possible;
-    report.say(
-        "  " + short_number(100 * found.share) + " % of the edges have 0.7 to 1.4 times the target length" +
-        (of_possible > found.share
-             ? ", " + short_number(100 * of_possible) + " % of them what boundaries and kept elements allow"
-             : ""));
-    if (found.worst[0] < 0) // all have exactly the target length
+    report.json["size_conformity"] = sizes.share;
+    report.json["possible_size_conformity"] = sizes.possible_share;
+    report.say("  " + short_number(100 * sizes.share) +
+               " % of the edges have 0.7 to 1.4 times the target length" +
+               (sizes.possible_share > sizes.share ? ", " + short_number(100 * sizes.possible_share) +
+                                                         " % of them what boundaries and kept elements allow"
+                                                   : ""));
+    if (sizes.worst[0] < 0) // all have exactly the target length
         return;
-    const auto place = points(mesh);
-    const nlohmann::ordered_json at =
-        coordinates(mesh, (place.row(found.worst[0]) + place.row(found.worst[1])) / 2);
-    report.json["worst_edge"] = {{"part_of_size", found.relative_length}, {"at", at}};
-    if (found.relative_length < kShort || found.relative_length > kLong)
-        report.say("  the worst at " + text_of(at) + " has " + short_number(found.relative_length) +
-                   " times that" + reason_of(mesh, found, wishes));
+    const nlohmann::ordered_json at = coordinates(mesh, sizes.middle);
+    report.json["worst_edge"] = {{"part_of_size", sizes.relative_length}, {"at", at}};
+    if (sizes.relative_length < kShort || sizes.relative_length > kLong)
+        report.say("  the worst at " + text_of(at) + " has " + short_number(sizes.relative_length) +
+                   " times that" + cause_text(sizes));
 }
 
-void describe_distance(const Mesh& old, const Mesh& mesh, Report& report)
+void describe_distance(const Mesh& mesh, const HausdorffDistance& found, Report& report)
 {
-    const HausdorffDistance found = hausdorff_distance(old, mesh);
     const nlohmann::ordered_json at = coordinates(mesh, found.place);
     report.json["hausdorff"] = {{"distance", found.value},
                                 {"bound", found.bound},
@@ -156,48 +115,65 @@ void describe_distance(const Mesh& old, const Mesh& mesh, Report& report)
 }
 
 /// Count the folds of a surface and warn of the first.
-void describe_folds(const Mesh& old, const Mesh& mesh, const std::string& output, Report& report)
+void describe_folds(const Mesh& mesh, const std::vector<Index>& folded, const std::string& output,
+                    Report& report)
 {
     if (mesh.dimension == 2)
         return;
-    const std::vector<Index> folded = folded_triangles(old, mesh);
     report.json["folds"] = folded.size();
     if (folded.empty())
         return;
-    warn("morph-remesh",
-         output + ": " + std::to_string(folded.size()) + " triangles are folded over, such as element " +
-             std::to_string(mesh.numbering.element[static_cast<std::size_t>(folded.front())]) + " at " +
-             text_of(coordinates(mesh, centroid(mesh, folded.front()))));
+    warn("morph-remesh", output + ": " + std::to_string(folded.size()) +
+                             " triangles are folded over, such as element " +
+                             std::to_string(file_element(mesh, folded.front())) + " at " +
+                             text_of(coordinates(mesh, centroid(mesh, folded.front()))));
+}
+
+void describe_isolated(Index left_out, Report& report)
+{
+    if (left_out > 0)
+        report.say(
+            "  " + std::to_string(left_out) +
+            (left_out == 1 ? " vertex of no element was left out" : " vertices of no element were left out"));
+}
+
+void describe_cut_out(const CutOut& cut_out, Report& report)
+{
+    report.json["cut_out"] = {{"inverted", cut_out.inverted},
+                              {"elements", cut_out.elements},
+                              {"vertices_left_out", cut_out.vertices_left_out}};
+    report.say(std::to_string(cut_out.inverted) + " inverted elements were cut out, with " +
+               std::to_string(cut_out.elements - cut_out.inverted) + " around them, and remeshed");
 }
 
 } // namespace
 
-void describe_remeshing(const Mesh& old, const Mesh& mesh, const RemeshWishes& wishes,
+void describe_remeshing(const Mesh& old, const RemeshedMesh& remeshed, const RemeshCheck& check,
                         const std::string& output, Report& report)
 {
-    const QualityReport before = quality_report(old), after = quality_report(mesh);
+    const Mesh& mesh = remeshed.mesh;
+    const QualityReport &before = check.before, &after = check.after;
+    if (remeshed.cut_out)
+        describe_cut_out(*remeshed.cut_out, report);
     report.json["quality"] = {{"before", quality_json(before)}, {"after", quality_json(after)}};
-    report.json["triangle_quality"] = {{"before", triangle_json(old)}, {"after", triangle_json(mesh)}};
+    report.json["triangle_quality"] = {{"before", triangle_json(old, check.triangles_before)},
+                                       {"after", triangle_json(mesh, check.triangles_after)}};
     report.say(output + ": " + std::to_string(after.vertices) + " vertices, " +
                std::to_string(after.triangles) + " triangles, " + std::to_string(after.quads) +
                " quads (from " + std::to_string(before.vertices) + ", " + std::to_string(before.triangles) +
                ", " + std::to_string(before.quads) + ")");
-    const Index isolated = isolated_vertices(old) - isolated_vertices(mesh);
-    if (isolated > 0)
-        report.say(
-            "  " + std::to_string(isolated) +
-            (isolated == 1 ? " vertex of no element was left out" : " vertices of no element were left out"));
-    if (after.triangles == 0) {
+    describe_isolated(check.isolated_left_out, report);
+    if (!check.sizes) {
         report.say(
             "  there is no triangle to remake, and quads stay; morph-convert --triangulate splits them");
     } else {
-        describe_count(mesh, wishes.vertices, report);
-        describe_sizes(mesh, wishes, report);
+        describe_count(mesh, remeshed.targets.vertices, report);
+        describe_sizes(mesh, *check.sizes, report);
         report.say("  worst triangle: quality " + worst_triangle(report.json["triangle_quality"]["after"]) +
                    ", was " + worst_triangle(report.json["triangle_quality"]["before"]));
     }
-    describe_distance(old, mesh, report);
-    describe_folds(old, mesh, output, report);
+    describe_distance(mesh, check.distance, report);
+    describe_folds(mesh, check.folded, output, report);
     for (const std::string& text : quality_summary(after))
         report.say("  " + text);
 }

@@ -1,4 +1,4 @@
-#include "tools/compare/method.h"
+#include "libmorph/pipeline/comparison.h"
 
 #include "libmorph/core/error.h"
 #include "libmorph/core/names.h"
@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace morph::tools {
+namespace morph {
 
 namespace {
 
@@ -36,8 +36,7 @@ void move_by(const Deformer& deformer, const Matrix& displacements, MovedMesh& m
 /// The curves move the boundary, the method that @p deform chooses moves the rest of the mesh.
 auto by_method(const DeformSettings& deform)
 {
-    return [deform](const Mesh& mesh, const PlacedBoundaries&, const CaseFile& file) {
-        MotionSettings motion = file.motion;
+    return [deform](const Mesh& mesh, const PlacedBoundaries&, MotionSettings motion) {
         motion.lattice.reset();
         motion.deform.method = deform.method;
         if (deform.method == Method::harmonic) {
@@ -68,7 +67,7 @@ auto by_harmonic(Diffusivity diffusivity, bool rotations = false)
     return by_method(deform);
 }
 
-/// A lattice around all bodies with half their size to spare, for a case that has none.
+/// A lattice around all curves with half their size to spare, for a motion that has none.
 LatticeSettings lattice_around(const PlacedBoundaries& placed)
 {
     constexpr double kMargin = 0.5;
@@ -86,25 +85,23 @@ LatticeSettings lattice_around(const PlacedBoundaries& placed)
     return lattice;
 }
 
-/// The motion with the lattice of the case, or one around its bodies; what displacements the lattice has are the
+/// The motion with its lattice, or one around its curves; what displacements the lattice has are the
 /// fit's to find.
-MotionSettings with_lattice(CaseFile file, const Mesh& mesh, const PlacedBoundaries& placed, int continuity)
+MotionSettings with_lattice(MotionSettings motion, const PlacedBoundaries& placed, int continuity)
 {
-    file.motion.deform.method = Method::ffd;
-    if (file.motion.lattice) {
-        take_su2_box(file, mesh);
-    } else {
-        file.motion.lattice = lattice_around(placed);
-        file.motion.lattice->continuity = continuity;
+    motion.deform.method = Method::ffd;
+    if (!motion.lattice) {
+        motion.lattice = lattice_around(placed);
+        motion.lattice->continuity = continuity;
     }
-    return file.motion;
+    return motion;
 }
 
 /// One lattice holds body and mesh, fitted to the moved curves.
-MovedMesh move_ffd(const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file)
+MovedMesh move_ffd(const Mesh& mesh, const PlacedBoundaries& placed, const MotionSettings& motion)
 {
     constexpr int kSmooth = 1; // at the faces of the box
-    const MotionSettings ffd = with_lattice(file, mesh, placed, kSmooth);
+    const MotionSettings ffd = with_lattice(motion, placed, kSmooth);
     Stopwatch watch;
     const Deformer deformer(mesh, ffd);
     Matrix displacements = deformer.displacements();
@@ -118,8 +115,8 @@ MovedMesh move_ffd(const Mesh& mesh, const PlacedBoundaries& placed, const CaseF
 /// The lattice moves the boundary alone, fitted to the moved curves; another method moves the rest of the mesh.
 auto by_lattice_and(Method method)
 {
-    return [method](const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file) {
-        MotionSettings motion = with_lattice(file, mesh, placed, -1);
+    return [method](const Mesh& mesh, const PlacedBoundaries& placed, const MotionSettings& curves) {
+        MotionSettings motion = with_lattice(curves, placed, -1);
         Stopwatch watch;
         const Deformer fitted(mesh, motion);
         Matrix displacements = fitted.displacements();
@@ -138,53 +135,56 @@ auto by_lattice_and(Method method)
 }
 
 /// @p method, and then its inverted elements repaired; the repair counts as part of the move.
-CompareMethod untangled(const CompareMethod& method)
+ComparedMethod untangled(const ComparedMethod& method)
 {
-    return {method.name + kUntangled, method.description + ", then untangled",
-            [move = method.move](const Mesh& mesh, const PlacedBoundaries& placed, const CaseFile& file) {
-                MovedMesh moved = move(mesh, placed, file);
-                Mesh repaired = mesh;
-                points(repaired) = moved.positions;
-                Stopwatch watch;
-                repair(repaired, points(mesh));
-                moved.move_seconds += watch.lap();
-                moved.positions = points(repaired);
-                return moved;
-            }};
+    return {
+        method.name + kUntangled, method.description + ", then untangled", method.uses_lattice,
+        [move = method.move](const Mesh& mesh, const PlacedBoundaries& placed, const MotionSettings& motion) {
+            MovedMesh moved = move(mesh, placed, motion);
+            Mesh repaired = mesh;
+            points(repaired) = moved.positions;
+            Stopwatch watch;
+            repair(repaired, points(mesh));
+            moved.move_seconds += watch.lap();
+            moved.positions = points(repaired);
+            return moved;
+        }};
 }
 
 } // namespace
 
-const std::vector<CompareMethod>& compare_methods()
+const std::vector<ComparedMethod>& compared_methods()
 {
-    static const std::vector<CompareMethod> table{
-        {"harmonic", "Laplace's equation, as in the thesis", by_harmonic(Diffusivity::uniform)},
-        {"harmonic-distance", "harmonic, stiff near the body: diffusivity 1/distance",
+    static const std::vector<ComparedMethod> table{
+        {"harmonic", "Laplace's equation, as in the thesis", false, by_harmonic(Diffusivity::uniform)},
+        {"harmonic-distance", "harmonic, stiff near the body: diffusivity 1/distance", false,
          by_harmonic(Diffusivity::inverse_distance)},
-        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area",
+        {"harmonic-area", "harmonic, small elements stiff: diffusivity 1/area", false,
          by_harmonic(Diffusivity::inverse_area)},
-        {"harmonic-rotations", "harmonic (1/distance), the boundary's rotation spread too",
+        {"harmonic-rotations", "harmonic (1/distance), the boundary's rotation spread too", false,
          by_harmonic(Diffusivity::inverse_distance, true)},
-        {"biharmonic", "biharmonic, conformal at the walls", by_method(Method::biharmonic)},
-        {"elasticity", "the mesh as an elastic solid, small elements stiff", by_method(Method::elasticity)},
-        {"spring", "springs along the edges, torsion at the corners", by_method(Method::spring)},
-        {"rbf", "radial basis functions, Wendland C2", by_method(Method::rbf)},
-        {"idw", "inverse distance, with rotations", by_method(Method::idw)},
-        {"damping", "the nearest boundary's move, damped with distance", by_method(Method::damping)},
-        {"ffd", "a lattice holds body and mesh: free-form deformation as in the thesis", move_ffd},
-        {"ffd-harmonic", "a lattice moves the body, harmonic weights (1/distance) the mesh",
+        {"biharmonic", "biharmonic, conformal at the walls", false, by_method(Method::biharmonic)},
+        {"elasticity", "the mesh as an elastic solid, small elements stiff", false,
+         by_method(Method::elasticity)},
+        {"spring", "springs along the edges, torsion at the corners", false, by_method(Method::spring)},
+        {"rbf", "radial basis functions, Wendland C2", false, by_method(Method::rbf)},
+        {"idw", "inverse distance, with rotations", false, by_method(Method::idw)},
+        {"damping", "the nearest boundary's move, damped with distance", false, by_method(Method::damping)},
+        {"ffd", "a lattice holds body and mesh: free-form deformation as in the thesis", true, move_ffd},
+        {"ffd-harmonic", "a lattice moves the body, harmonic weights (1/distance) the mesh", true,
          by_lattice_and(Method::harmonic)},
-        {"ffd-rbf", "a lattice moves the body, radial basis functions the mesh", by_lattice_and(Method::rbf)},
+        {"ffd-rbf", "a lattice moves the body, radial basis functions the mesh", true,
+         by_lattice_and(Method::rbf)},
     };
     return table;
 }
 
-CompareMethod compare_method(const std::string& name)
+ComparedMethod compared_method(const std::string& name)
 {
     const bool repair = name.ends_with(kUntangled);
     const std::string base = repair ? name.substr(0, name.size() - kUntangled.size()) : name;
     std::vector<std::string> names;
-    for (const CompareMethod& method : compare_methods()) {
+    for (const ComparedMethod& method : compared_methods()) {
         if (method.name == base)
             return repair ? untangled(method) : method;
         names.push_back(method.name);
@@ -193,4 +193,4 @@ CompareMethod compare_method(const std::string& name)
                      did_you_mean(name, names));
 }
 
-} // namespace morph::tools
+} // namespace morph
