@@ -55,7 +55,7 @@ std::vector<std::size_t> equations_first(const std::vector<Requirement>& require
     return order;
 }
 
-std::string quoted(const std::string& name)
+std::string in_quotes(const std::string& name)
 {
     return "'" + name + "'";
 }
@@ -65,7 +65,7 @@ std::string miss(const Requirement& requirement, double reached)
 {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << quoted(requirement.name) << " is " << reached << " instead of "
+    text << in_quotes(requirement.name) << " is " << reached << " instead of "
          << (requirement.bound.kind == Bound::Kind::equal ? "" : "at least ") << requirement.target;
     return text.str();
 }
@@ -123,11 +123,11 @@ private:
         if (clash.empty())
             return;
         const std::vector<std::string> names = linear_names(constraints_);
-        const std::string first = quoted(names[clash[0]]);
+        const std::string first = in_quotes(names[clash[0]]);
         if (clash.size() == 1)
             throw InputError("constraint " + first +
                              " asks for what no move of the free control points does");
-        throw InputError("constraints " + first + " and " + quoted(names[clash[1]]) +
+        throw InputError("constraints " + first + " and " + in_quotes(names[clash[1]]) +
                          " contradict each other: no move of the free control points satisfies both");
     }
 
@@ -141,7 +141,7 @@ private:
             if (std::isnan(values[static_cast<Eigen::Index>(j)]))
                 throw SolverError(
                     "the requested displacements move the boundary off the line of constraint " +
-                    quoted(sorted_[j].name));
+                    in_quotes(sorted_[j].name));
     }
 
     std::string failure(const NearestPoint& nearest, const Matrix& found) const
@@ -154,17 +154,18 @@ private:
         if (!nearest.contradiction)
             return "the search for displacements that meet the constraints got stuck where " + missed(first) +
                    "; it is local, so start it from smaller displacements";
-        const std::string name = quoted(sorted_[static_cast<std::size_t>(first)].name);
+        const std::string name = in_quotes(sorted_[static_cast<std::size_t>(first)].name);
         if (nearest.missed.size() > 1) {
             const Eigen::Index second = nearest.missed[1];
-            return "constraints " + name + " and " + quoted(sorted_[static_cast<std::size_t>(second)].name) +
+            return "constraints " + name + " and " +
+                   in_quotes(sorted_[static_cast<std::size_t>(second)].name) +
                    " contradict each other: at the nearest displacements " + missed(first) + " and " +
                    missed(second);
         }
         const std::vector<std::size_t> others = space_.sources_of(reached.jacobian.row(first));
         if (others.empty())
             return "constraint " + name + " cannot be met: at the nearest displacements " + missed(first);
-        return "constraints " + name + " and " + quoted(linear_names(constraints_)[others[0]]) +
+        return "constraints " + name + " and " + in_quotes(linear_names(constraints_)[others[0]]) +
                " contradict each other: at the nearest displacements " + missed(first);
     }
 
