@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <sstream>
 
 namespace morph::tools {
 namespace {
@@ -93,8 +94,7 @@ void add_edit_options(CommandLine& line, Options& options)
         .one_value_each_time();
     line.add("--drop-fields", options.drop_fields, "Leave out the fields of these names, or all")
         .type_name("[NAME,...]")
-        .count(0, 1)
-        .comma_separated();
+        .count(0, 1);
 }
 
 /// @throws UsageError  arguments that do not go together
@@ -123,9 +123,13 @@ void finish_edits(const CommandLine& line, Options& options)
         const std::size_t equals = rename.find('=');
         options.edits.renames.push_back({rename.substr(0, equals), rename.substr(equals + 1)});
     }
-    std::erase(options.drop_fields, "");
-    options.edits.drop_fields = options.drop_fields;
-    options.edits.drop_all_fields = line.given("--drop-fields") && options.drop_fields.empty();
+    for (const std::string& names : options.drop_fields) {
+        std::istringstream list(names);
+        for (std::string name; std::getline(list, name, ',');)
+            if (!name.empty())
+                options.edits.drop_fields.push_back(name);
+    }
+    options.edits.drop_all_fields = line.given("--drop-fields") && options.edits.drop_fields.empty();
 }
 
 /// @throws UsageError  the format has not what was asked for

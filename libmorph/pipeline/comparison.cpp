@@ -1,5 +1,6 @@
 #include "libmorph/pipeline/comparison.h"
 
+#include "libmorph/core/error.h"
 #include "libmorph/quality/smoothness.h"
 
 #include <algorithm>
@@ -47,6 +48,10 @@ Index worst_element(const Mesh& mesh, const Points& positions)
 ComparisonRow compare(const Mesh& mesh, const PlacedBoundaries& placed, const MotionSettings& motion,
                       const ComparedMethod& method)
 {
+    if (motion.curves.empty())
+        throw InputError(motion.where +
+                         "methods are compared by how well they follow curves, but there is no "
+                         "[[boundary]]");
     ComparisonRow row;
     row.method = method.name;
     row.moved = method.move(mesh, placed, motion);

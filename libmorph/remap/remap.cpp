@@ -121,6 +121,8 @@ Remapper::Remapper(const Locator& source, const Mesh& target, const RemapSetting
 {
     if (element_count(source.source()) == 0)
         throw InputError("the source has no element to take values from");
+    if (vertex_count(target) == 0)
+        throw InputError("the target has no point to take values to");
     if (source.source().dimension == 2 && target.dimension == 3)
         throw InputError("the source is planar, but the target lies in space: some of its z are not 0");
 }

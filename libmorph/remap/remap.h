@@ -47,7 +47,7 @@ class Remapper {
 public:
     /// @param source,target  outlive the remapper and are not moved while it lives
     /// @param settings       what happens outside, and what is conserved
-    /// @throws InputError  the source has no element; a planar source and a target in space
+    /// @throws InputError  the source has no element, the target no vertex; a planar source and a target in space
     Remapper(const Locator& source, const Mesh& target, const RemapSettings& settings = {});
 
     /// The field each as it is on the target, in the same order; fields of the source in its own numbering.

@@ -119,6 +119,7 @@ TEST_F(MorphConvert, DropsFieldsByNameOrAll)
     ASSERT_EQ(named.fields.size(), 1U);
     EXPECT_EQ(named.fields[0].name, "T");
     EXPECT_TRUE(converted({"--drop-fields"}).fields.empty());
+    EXPECT_TRUE(converted({"--drop-fields", "p,T"}).fields.empty());
     const test::ProcessResult missing = convert({in_, folder_.file("x.vtu"), "--drop-fields", "q"});
     EXPECT_EQ(missing.status, 1);
     EXPECT_THAT(missing.errors, HasSubstr("in.vtu: has no field 'q' to drop, but p, T"));

@@ -90,6 +90,13 @@ TEST_F(RingComparison, RepairsWhatAMethodLeavesInverted)
     EXPECT_GE(repaired.moved.move_seconds, 0);
 }
 
+TEST_F(RingComparison, NeedsACurveToMeasureHowWellItIsFollowed)
+{
+    const MotionSettings none;
+    EXPECT_THAT(test::message_of([&] { compare(mesh_, {}, none, compared_method("ffd")); }),
+                HasSubstr("there is no [[boundary]]"));
+}
+
 TEST(ComparedMethods, NameTheNearestToOneThatIsNotKnown)
 {
     EXPECT_THAT(test::message_of([] { compared_method("harmonics"); }),

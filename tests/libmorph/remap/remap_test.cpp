@@ -263,7 +263,7 @@ TEST(Remapper, SaysWhatCannotBeCarried)
 {
     const Mesh source = build_mesh(test::uneven_square(2));
     Field field = nodal(source, linear, "p");
-    const auto carry = [&](const Mesh& target, const RemapSettings& settings = {}) {
+    const auto transfer = [&](const Mesh& target, const RemapSettings& settings = {}) {
         return message_of([&] { carried(source, field, target, settings); });
     };
     EXPECT_EQ(
@@ -278,6 +278,7 @@ TEST(Remapper, SaysWhatCannotBeCarried)
               "the source is planar, but the target lies in space: some of its z are not 0");
     RemapSettings conserve;
     conserve.conserve_nodal = true;
+    EXPECT_EQ(transfer(points_mesh({})), "the target has no point to take values to");
     EXPECT_EQ(transfer(points_mesh({{0.5, 0.5, 0}}), conserve),
               "integrals are kept between meshes, but the target has no elements");
     MeshData away = test::uneven_square(2);
