@@ -38,12 +38,12 @@ public:
         std::vector<const XmlElement*> pieces;
         std::vector<std::string> names;
         for (const XmlElement& candidate : grid.children)
-            if (candidate.name == "ConvexPart") {
+            if (candidate.name == "Piece") {
                 pieces.push_back(&candidate);
                 names.push_back("piece " + std::to_string(pieces.size()));
             }
         if (pieces.empty())
-            child(grid, "ConvexPart"); // says that there is none
+            child(grid, "Piece"); // says that there is none
         set_version(*pieces[0]);
         const std::size_t picked = picked_part(names, "piece", file_);
         if (picked < pieces.size() || pieces.size() == 1)

@@ -70,7 +70,7 @@ private:
             return " NumberOf" + std::string(what) + "=\"" + std::to_string(cells.ends.rows) + "\"";
         };
         const bool poly = kind_ == VtkXmlKind::poly_data;
-        line("<ConvexPart NumberOfPoints=\"" + std::to_string(output_.points.rows) + "\"" +
+        line("<Piece NumberOfPoints=\"" + std::to_string(output_.points.rows) + "\"" +
              (poly ? " NumberOfVerts=\"0\"" + counted("Lines", output_.lines) + " NumberOfStrips=\"0\"" +
                          counted("Polys", output_.elements)
                    : counted("Cells", output_.cells)) +
@@ -84,7 +84,7 @@ private:
         } else {
             section("Cells", {output_.cells.corners, output_.cells.ends, output_.types});
         }
-        line("</ConvexPart>");
+        line("</Piece>");
     }
 
     void section(const std::string& name, const std::vector<VtkArray>& arrays)

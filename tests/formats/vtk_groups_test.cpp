@@ -213,14 +213,14 @@ TEST(VtkFamily, RefusesGridsThatDoNotFit)
 /// A quad, a triangle and a line, with what XML allows: no Verts, lists in any order.
 const std::string kVtp =
     "<VTKFile type='PolyData' version='0.1'><PolyData>\n"
-    "<ConvexPart NumberOfPoints='5' NumberOfLines='1' NumberOfPolys='2'>\n"
+    "<Piece NumberOfPoints='5' NumberOfLines='1' NumberOfPolys='2'>\n"
     "<Polys><DataArray type='Int32' Name='offsets'>4 7</DataArray>\n"
     "<DataArray type='Int32' Name='connectivity'>0 1 2 3 1 4 2</DataArray></Polys>\n"
     "<Points><DataArray type='Float32' NumberOfComponents='3'>0 0 0 1 0 0 1 1 0 0 1 0 2 .5 0</DataArray>"
     "</Points>\n<Lines><DataArray type='Int32' Name='connectivity'>0 1 4</DataArray>\n"
     "<DataArray type='Int32' Name='offsets'>3</DataArray></Lines>\n"
     "<CellData><DataArray type='Int32' Name='n'>7 8 9</DataArray></CellData>\n"
-    "</ConvexPart></PolyData></VTKFile>";
+    "</Piece></PolyData></VTKFile>";
 
 TEST(VtkFamily, PolyDataMayLackLists)
 {
@@ -243,7 +243,7 @@ TEST(VtkFamily, RefusesBrokenPolyData)
     EXPECT_THAT(message("NumberOfPolys='2'", "NumberOfPolys='3'"),
                 HasSubstr("file:3: array 'offsets' should have 3 numbers, but its text"));
     EXPECT_THAT(message("NumberOfPolys='2'", "NumberOfStrips='1' NumberOfPolys='2'"),
-                HasSubstr("file:2: <ConvexPart> has no <Strips>"));
+                HasSubstr("file:2: <Piece> has no <Strips>"));
     EXPECT_THAT(message("4 7", "4 8"),
                 HasSubstr("file:4: array 'connectivity' should have 8 numbers, but its text"));
     EXPECT_THAT(message("4 7", "7 -1"),

@@ -27,7 +27,7 @@ const std::string kPieces =
     "<VTKFile type='UnstructuredGrid' version='0.1'><UnstructuredGrid>\n"
     "<FieldData><Array type='String' Name='marker_names' format='ascii'>97 0 98 0</Array>\n"
     "<Array type='String' Name='group_names' format='ascii'>103 0</Array></FieldData>\n"
-    "<ConvexPart NumberOfPoints='3' NumberOfCells='2'>\n"
+    "<Piece NumberOfPoints='3' NumberOfCells='2'>\n"
     "<Points><DataArray type='Float64' NumberOfComponents='3'>0 0 0 1 0 0 1 1 0</DataArray></Points>\n"
     "<Cells><DataArray type='Int32' Name='connectivity'>0 1 2 0 1</DataArray>\n"
     "<DataArray type='Int32' Name='offsets'>3 5</DataArray>\n"
@@ -36,8 +36,8 @@ const std::string kPieces =
     "<DataArray type='Float32' Name='first'>1 2 3</DataArray></PointData>\n"
     "<CellData><DataArray type='Int8' Name='marker'>0 2</DataArray>\n"
     "<DataArray type='Int8' Name='group'>0 0</DataArray></CellData>\n"
-    "</ConvexPart>\n"
-    "<ConvexPart NumberOfPoints='4' NumberOfCells='2'>\n"
+    "</Piece>\n"
+    "<Piece NumberOfPoints='4' NumberOfCells='2'>\n"
     "<Points><DataArray type='Float64' NumberOfComponents='3'>1 0 0 2 0 0 2 1 0 1 1 0</DataArray></Points>\n"
     "<Cells><DataArray type='Int32' Name='connectivity'>0 1 0 1 2 3</DataArray>\n"
     "<DataArray type='Int32' Name='offsets'>2 6</DataArray>\n"
@@ -45,7 +45,7 @@ const std::string kPieces =
     "<PointData><DataArray type='Float32' Name='T'>4 5 6 7</DataArray></PointData>\n"
     "<CellData><DataArray type='Int8' Name='marker'>2 0</DataArray>\n"
     "<DataArray type='Int8' Name='group'>0 1</DataArray></CellData>\n"
-    "</ConvexPart></UnstructuredGrid></VTKFile>\n";
+    "</Piece></UnstructuredGrid></VTKFile>\n";
 
 MeshData read_zone(const std::string& bytes, const std::string& zone, ReadNotes* notes = nullptr)
 {

@@ -41,9 +41,9 @@ TEST(Vtu, SurvivesMutatedFiles)
 
 /// A triangle and a quad with two markers, in the words a person would use.
 const std::string kVtu =
-    "<?xml version='1.0'?>\r\n<!DOCTYPE VTKFile>\r\n<!-- made by hand: <ConvexPart> -->\r\n"
+    "<?xml version='1.0'?>\r\n<!DOCTYPE VTKFile>\r\n<!-- made by hand: <Piece> -->\r\n"
     "<VTKFile type='UnstructuredGrid' version='0.1'>\n<UnstructuredGrid>\n"
-    "<ConvexPart NumberOfPoints='5' NumberOfCells='5'>\n"
+    "<Piece NumberOfPoints='5' NumberOfCells='5'>\n"
     "<Points><DataArray type='Float32' NumberOfComponents='3' format='ascii'>\n"
     "0 0 0  1 0 0 <!-- two -->\t1 1 0\r\n\r\n 0 1 0 +2 5e-1 0\n</DataArray></Points>\n"
     "<Cells>\n<DataArray type='Int32' Name='types' format='ascii'>3 9 5 1 4</DataArray>\n"
@@ -53,7 +53,7 @@ const std::string kVtu =
     "5</DataArray></PointData>\n"
     "<CellData><DataArray type='Int8' Name='n' format='ascii'>10 20 30 40 50</DataArray>\n"
     "<DataArray type='Int32' Name='marker' format='ascii'>-7 0 0 0 12</DataArray></CellData>\n"
-    "</ConvexPart></UnstructuredGrid></VTKFile>\n";
+    "</Piece></UnstructuredGrid></VTKFile>\n";
 
 TEST(Vtu, ReadsCommentsQuotesTabsEntitiesAndCellsInAnyOrder)
 {
@@ -161,10 +161,10 @@ TEST(Vtu, RefusesWhatDoesNotFitTogether)
     EXPECT_THAT(message("version='0.1'", "header_type='Int8'"), HasSubstr("header_type 'Int8'"));
     EXPECT_THAT(message("version='0.1'", "compressor='vtkLZMADataCompressor'"),
                 HasSubstr("vtkLZMADataCompressor"));
-    EXPECT_THAT(message("<ConvexPart Number", "<ConvexPart/><ConvexPart Number"),
-                HasSubstr("file:6: <ConvexPart> has no NumberOfPoints"));
+    EXPECT_THAT(message("<Piece Number", "<Piece/><Piece Number"),
+                HasSubstr("file:6: <Piece> has no NumberOfPoints"));
     EXPECT_THAT(refusal("<VTKFile type='UnstructuredGrid'><UnstructuredGrid/></VTKFile>", "vtu"),
-                HasSubstr("file:1: <UnstructuredGrid> has no <ConvexPart>"));
+                HasSubstr("file:1: <UnstructuredGrid> has no <Piece>"));
 }
 
 TEST(Vtu, RefusesBrokenMarkerNames)

@@ -83,8 +83,9 @@ TEST_P(BoxTreeOf, HoldsEachItemOnce)
 {
     std::vector<Index> all(boxes.size());
     std::iota(all.begin(), all.end(), 0);
-    if (GetParam().axes == 0)
+    if (GetParam().axes == 0) {
         EXPECT_EQ(tree.order(), all);
+    }
     EXPECT_TRUE(std::is_permutation(all.begin(), all.end(), tree.order().begin(), tree.order().end()));
 }
 
@@ -106,8 +107,9 @@ TEST_P(BoxTreeOf, KeepsAStartThatNothingIsLessThan)
             const double value = box(rank).squaredExteriorDistance(x);
             const BoxTree::Candidate found = nearest(x, {rank, value});
             EXPECT_EQ(found.value, least);
-            if (value == least)
+            if (value == least) {
                 EXPECT_EQ(found.rank, rank);
+            }
         }
         EXPECT_EQ(nearest(x, {-7, least}).rank, -7);
     }
@@ -124,8 +126,9 @@ TEST_P(BoxTreeOf, OffersTheItemsAroundAPointByRank)
         EXPECT_TRUE(std::is_sorted(offered.begin(), offered.end()));
         const std::vector<Index> around = ranks_around(x);
         EXPECT_TRUE(std::includes(offered.begin(), offered.end(), around.begin(), around.end()));
-        if (GetParam().leaf_size == 1)
+        if (GetParam().leaf_size == 1) {
             EXPECT_EQ(offered, around);
+        }
     }
 }
 
@@ -140,10 +143,12 @@ TEST_P(BoxTreeOf, OffersNoMoreOnceAnItemIsTaken)
             return box(rank).contains(x);
         });
         EXPECT_EQ(found, !around.empty());
-        if (!around.empty())
+        if (!around.empty()) {
             EXPECT_EQ(taken, around.front());
-        if (!around.empty() && GetParam().leaf_size == 1)
+        }
+        if (!around.empty() && GetParam().leaf_size == 1) {
             EXPECT_EQ(calls, 1);
+        }
     }
 }
 
