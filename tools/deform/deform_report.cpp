@@ -159,7 +159,7 @@ void describe_remeshed(const RemeshedPart& part, Report& report)
     report.json["remeshed"] = {{"elements", part.elements},
                                {"vertices_before", part.vertices_before},
                                {"vertices_after", part.vertices_after}};
-    report.say("remeshed: " + std::to_string(part.elements) + " elements remeshed, " +
+    report.say("remeshed: " + std::to_string(part.elements) + " elements, " +
                std::to_string(part.vertices_before) + " vertices before, " +
                std::to_string(part.vertices_after) + " after");
 }
