@@ -18,8 +18,7 @@ void require(int status)
 } // namespace
 
 CgnsBuilder::CgnsBuilder(int cell_dimension, int physical_dimension, int type)
-    : path_(folder_->file("built.cgns")), cell_dimension_(cell_dimension),
-      physical_dimension_(physical_dimension)
+    : path_(folder_->file("built.cgns")), physical_dimension_(physical_dimension)
 {
     require(cg_set_file_type(type));
     require(cg_open(path_.c_str(), CG_MODE_WRITE, &file_));

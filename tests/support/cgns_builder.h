@@ -49,7 +49,7 @@ private:
     std::string path_;
     int file_ = 0;
     int zone_ = 0;
-    int cell_dimension_, physical_dimension_;
+    int physical_dimension_;
 };
 
 } // namespace morph::test

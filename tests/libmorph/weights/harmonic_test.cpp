@@ -3,7 +3,9 @@
 #include "formats/formats.h"
 #include "libmorph/core/error.h"
 #include "libmorph/core/parallel.h"
+#include "libmorph/geometry/delaunay.h"
 #include "libmorph/mesh/builder.h"
+#include "libmorph/numerics/stiffness.h"
 #include "tests/support/harmonic.h"
 #include "tests/support/meshes.h"
 
