@@ -95,6 +95,7 @@ Mesh remeshed(Mesh& old, const GroupRegions& regions, const RemeshJob& job, cons
 
 void keep_sections(const Mesh& old, RemeshedMesh& result)
 {
+    result.mesh.sections.clear(); // remeshing hands over all of them
     for (const OpaqueSection& section : old.sections)
         if (section.names_vertices)
             result.left_out.push_back(section.what);

@@ -29,7 +29,7 @@ protected:
     {
         CaseFile file = test::fitted_case(mesh_, {GetParam().marker});
         test::turn(file, degrees, {0.5, 0});
-        file.motion.deform.diffusivity = diffusivity;
+        file.motion.deform.diffusivity = from_string<Diffusivity>(diffusivity);
         return test::case_text(file);
     }
 

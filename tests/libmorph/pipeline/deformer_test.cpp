@@ -269,7 +269,8 @@ TEST_F(RingDeformer, ChecksAndRepairsAsTheGuardSays)
 
 TEST_F(RingDeformer, HandsOutAMeshOfItsOwnWhereItRemeshes)
 {
-    settings.curves[0].displacements = turned(150);
+    const Points2 grown = 1.7 * settings.curves[0].curve.control_points; // leaves a thin ring of flat elements
+    settings.curves[0].displacements = grown;
     settings.deform.guard = Guard::remesh;
     const MoveResult moved = Deformer(mesh, settings).move();
     ASSERT_TRUE(moved.remeshed);
