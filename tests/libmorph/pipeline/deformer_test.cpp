@@ -267,18 +267,27 @@ TEST_F(RingDeformer, ChecksAndRepairsAsTheGuardSays)
     EXPECT_EQ(unchecked.positions, checked.positions);
 }
 
-TEST_F(RingDeformer, HandsOutAMeshOfItsOwnWhereItRemeshes)
+/// The top of the unit square bulges out over its left side: the triangle in the upper left corner, whose
+/// vertices are all on the boundary, turns over, and no position of the others can repair it.
+TEST(Deformer, HandsOutAMeshOfItsOwnWhereItRemeshes)
 {
-    const Points2 grown = 1.7 * settings.curves[0].curve.control_points; // leaves a thin ring of flat elements
-    settings.curves[0].displacements = grown;
-    settings.deform.guard = Guard::remesh;
-    const MoveResult moved = Deformer(mesh, settings).move();
+    const Mesh square = build_mesh(test::uneven_square(10));
+    const Points before = points(square);
+    CurveMove top{.marker = "top"};
+    top.curve = {.degree = 2, .control_points = Points2(3, 2)};
+    top.curve.control_points << 1, 1, 0.5, 1, 0, 1;
+    top.displacements = Points2::Zero(3, 2);
+    top.displacements.row(1) << -0.8, 0.6;
+    MotionSettings motion;
+    motion.curves = {top};
+    motion.deform.guard = Guard::remesh;
+    const MoveResult moved = Deformer(square, motion).move();
     ASSERT_TRUE(moved.remeshed);
     ASSERT_TRUE(moved.mesh);
     EXPECT_EQ(moved.after->inverted, 0);
     EXPECT_EQ(points(*moved.mesh), moved.positions);
-    EXPECT_EQ(to_mesh_data(mesh, moved).points.rows(), moved.remeshed->vertices_after);
-    EXPECT_EQ(points(mesh), rest);
+    EXPECT_EQ(to_mesh_data(square, moved).points.rows(), moved.remeshed->vertices_after);
+    EXPECT_EQ(points(square), before);
 }
 
 TEST_F(RingDeformer, FindsMovedBoundariesThatCross)
