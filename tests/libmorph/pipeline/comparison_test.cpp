@@ -93,7 +93,8 @@ TEST_F(RingComparison, RepairsWhatAMethodLeavesInverted)
 TEST_F(RingComparison, NeedsACurveToMeasureHowWellItIsFollowed)
 {
     const MotionSettings none;
-    EXPECT_THAT(test::message_of([&] { compare(mesh_, {}, none, compared_method("ffd")); }),
+    const PlacedBoundaries nothing = parametrize_boundaries(mesh_, none);
+    EXPECT_THAT(test::message_of([&] { compare(mesh_, nothing, none, compared_method("ffd")); }),
                 HasSubstr("there is no [[boundary]]"));
 }
 
