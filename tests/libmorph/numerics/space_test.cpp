@@ -8,7 +8,10 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -127,7 +130,7 @@ TEST(ConjugateGradientsInSpace, AgreeWithADenseFactorisation)
     const Matrix b = Matrix::Random(dense.rows(), 1);
     const Matrix expected = dense.llt().solve(b);
     Matrix x = b;
-    conjugate_gradients(sparse(dense), box.points, {100, 1e-13, 200}, x);
+    conjugate_gradients(sparse(dense), box.points, {100, 1e-14, 200}, x);
     EXPECT_LE((x - expected).norm(), kSolveTol * expected.norm());
 }
 
