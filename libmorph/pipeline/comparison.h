@@ -50,6 +50,8 @@ struct ComparisonRow {
 /// Move a planar mesh by a method and measure what comes out.
 /// @param mesh    undeformed; it is not changed
 /// @param placed  parametrize_boundaries() of the mesh and @p motion
+/// @param motion  the curves and how their control points move
+/// @param method  from compared_method()
 /// @throws InputError   the motion has no curve; as Deformer
 /// @throws SolverError  as Deformer
 ComparisonRow compare(const Mesh& mesh, const PlacedBoundaries& placed, const MotionSettings& motion,

@@ -103,6 +103,8 @@ struct RemeshCheck {
 
 /// Look at a mesh after remeshing: quality before and after, how well the target sizes are met, how far it is
 /// from the old one, and what is folded over.
+/// @param old      the mesh before remeshing
+/// @param mesh     the remeshed one
 /// @param targets  at the vertices of @p mesh
 /// @throws InputError  as hausdorff_distance()
 RemeshCheck check_remeshing(const Mesh& old, const Mesh& mesh, const RemeshTargets& targets);
