@@ -23,10 +23,10 @@ struct CurveFit {
 /// Nodes where a polygon has a corner rather than a resolved bend.
 ///
 /// The turn at the node exceeds the mean turn (in the same sense) of its two neighbours by more than
+/// @p angle. A strongly curved leading edge turns at several nodes in a row; a trailing edge at one.
 /// @param nodes   m x 2, in order, no two consecutive ones coincide
 /// @param closed  the last node is followed by the first
 /// @param angle   degrees
-/// @p angle. A strongly curved leading edge turns at several nodes in a row; a trailing edge at one.
 /// @return rows, increasing; the ends of an open polygon are none
 std::vector<Index> find_corners(const Points2& nodes, bool closed, double angle);
 

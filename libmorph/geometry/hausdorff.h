@@ -23,10 +23,10 @@ struct HausdorffDistance {
 /// largest at the corners of what is cut off in front of that triangle. Triangles without area are their
 /// sides. The same bytes for any number of threads.
 ///
+/// @param first      a mesh
+/// @param second     another of the same dimension
 /// @param tolerance  bound - value is at most this part of the value, or 1e-10 of the larger mesh, unless
 ///                   one triangle would need more than some thousand pieces
-/// @param first   a mesh
-/// @param second  another of the same dimension
 /// @throws InputError  a mesh has no element; one is planar and the other is not
 HausdorffDistance hausdorff_distance(const Mesh& first, const Mesh& second, double tolerance = 0.01);
 
